@@ -1,6 +1,9 @@
 #include "pelagic/capi/c_status.hpp"
 
 #include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "pelagic/message/one_line.hpp"
 
@@ -30,6 +33,20 @@ pelagic_status failure(pelagic_status status, const char* reason) noexcept {
     } catch (...) {  // the status reports the error
     }
     return status;
+}
+
+pelagic_status rejected(const char* reason) noexcept {
+    constexpr std::pair<std::string_view, std::string_view> names[] = {{"OceanOptions::", "pelagic_ocean_options."},
+                                                                       {"WaterFrame::", "pelagic_water_frame."}};
+    try {
+        std::string text = reason;
+        for (const auto& [ours, of_c] : names)
+            for (std::size_t at = 0; (at = text.find(ours, at)) != std::string::npos; at += of_c.size())
+                text.replace(at, ours.size(), of_c);
+        return failure(PELAGIC_INVALID_ARGUMENT, text.c_str());
+    } catch (...) {
+        return failure(PELAGIC_INVALID_ARGUMENT, reason);
+    }
 }
 
 void reject(const std::string& reason) { throw std::invalid_argument(reason); }

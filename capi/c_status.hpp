@@ -18,6 +18,10 @@ namespace pelagic::capi {
 /// and returns `status`. Allocates nothing, so it also works when memory is exhausted.
 pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
+/// As failure(), with the names of C for those of C++: "OceanOptions::foam" becomes
+/// "pelagic_ocean_options.foam".
+pelagic_status rejected(const char* reason) noexcept;
+
 /// Throws std::invalid_argument: "ocean is NULL, expected an ocean".
 [[noreturn]] void reject(const std::string& reason);
 
@@ -37,7 +41,7 @@ pelagic_status guarded(Body body) noexcept {
     } catch (const ApplicationJobsError& error) {
         return failure(PELAGIC_APPLICATION_ERROR, error.what());
     } catch (const std::invalid_argument& error) {
-        return failure(PELAGIC_INVALID_ARGUMENT, error.what());
+        return rejected(error.what());
     } catch (const std::bad_alloc&) {
         return failure(PELAGIC_OUT_OF_MEMORY, "out of memory");
     } catch (const std::system_error& error) {

@@ -17,7 +17,8 @@ namespace pelagic {
 /// metres.
 ///
 /// Vertices at equal positions are merged, because files repeat a vertex for each of its normals,
-/// and triangles without an area are left out. Immutable, so any thread may read it.
+/// and triangles that then have equal vertices are left out. Triangles of three collinear vertices
+/// stay: they close edges, and have neither volume nor forces. Immutable, so any thread may read it.
 class HullMesh {
    public:
     using Triangle = std::array<std::uint32_t, 3>;  ///< indices of vertices
@@ -38,7 +39,7 @@ class HullMesh {
 
     /// Returns the merged vertices.
     const std::vector<glm::dvec3>& vertices() const { return vertices_; }
-    /// Returns the triangles that have an area.
+    /// Returns the triangles of three different vertices.
     const std::vector<Triangle>& triangles() const { return triangles_; }
     /// Returns the enclosed volume.
     double volume_m3() const { return volume_m3_; }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/slope_variance.hpp"
@@ -144,6 +145,15 @@ SeaReport report_on(const SeaState& sea);
 /// As report_on(), in half the time, without drawn waves. Their statistics are valid only if a
 /// warning depends on them: in a loop shorter than ten peak periods. \pre check(sea) is empty
 SeaReport expected_report_on(const SeaState& sea);
+
+/// Returns the period of a wave in a loop, which holds a whole number of periods, at least one.
+/// \pre both are above 0
+double period_in_loop_s(double period_s, double loop_period_s);
+
+/// Returns a warning if the cascades of a forecast, which fit its longest peak or largest_peak_m, have
+/// twice the shortest wave that its first sea alone would have, else an empty string.
+/// \pre check(forecast) is empty
+std::string warning_about(const Forecast& forecast);
 
 /// Returns warnings about a sea, a sentence each: a patch shorter than two peak wavelengths, a grid
 /// too coarse for the peak, or a loop so short that the peak period is far off or few frequencies

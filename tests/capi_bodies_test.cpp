@@ -288,7 +288,7 @@ TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
     options.wakes = 1;
     pelagic_bodies* none = bodies.get();
     expect_rejected(pelagic_bodies_create(calm.get(), &options, &none),
-                    "the ocean has no dynamic waves: it was created without OceanOptions::dynamic_waves");
+                    "the ocean has no dynamic waves: it was created without pelagic_ocean_options.dynamic_waves");
     EXPECT_EQ(none, nullptr);
     expect_rejected(pelagic_bodies_create(nullptr, nullptr, &none), "ocean is NULL, expected a pointer");
     expect_rejected(pelagic_bodies_step(nullptr, tick_s, nullptr), "bodies is NULL, expected a pointer");

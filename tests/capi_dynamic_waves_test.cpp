@@ -237,7 +237,7 @@ TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
     complete(with, 0);
     pelagic_dynamic_waves* none = waves_of(with.get());
     expect_rejected(pelagic_ocean_dynamic_waves(without.get(), &none), PELAGIC_INVALID_ARGUMENT,
-                    "the ocean has no dynamic waves: it was created without OceanOptions::dynamic_waves");
+                    "the ocean has no dynamic waves: it was created without pelagic_ocean_options.dynamic_waves");
     EXPECT_EQ(none, nullptr);
     std::uint64_t hash = 0;
     EXPECT_EQ(pelagic_dynamic_waves_hash(none, &hash), PELAGIC_INVALID_ARGUMENT);

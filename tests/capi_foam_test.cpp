@@ -72,7 +72,7 @@ TEST_F(CInterfaceFoam, IsIncludedInCascadesCopiesAndQueries) {
     ASSERT_EQ(pelagic_ocean_cascade(without_foam.get(), 0, &cascade), PELAGIC_OK);
     EXPECT_EQ(cascade.foam_r8, nullptr);
     expect_rejected(pelagic_ocean_query(without_foam.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT,
-                    "the frame has no foam: the ocean was created without OceanOptions::foam");
+                    "the frame has no foam: the ocean was created without pelagic_ocean_options.foam");
     expect_rejected(pelagic_ocean_copy(without_foam.get(), &buffers), PELAGIC_INVALID_ARGUMENT,
                     "foam_r8 is requested, but the ocean was created without foam");
     std::uint64_t hash = 7;

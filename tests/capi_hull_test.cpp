@@ -257,7 +257,7 @@ TEST(CInterfaceHull, LoadsNeedQueriesAndVelocities) {
         ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
         expect_rejected(pelagic_hull_compute_loads(hull.get(), ocean.get(), &state, 0.01, nullptr, &loads),
                         queries
-                            ? "hulls need OceanOptions::velocities, which the frame was made without"
+                            ? "hulls need pelagic_ocean_options.velocities, which the frame was made without"
                             : "the ocean cannot be queried: it was created without pelagic_ocean_options.queries");
         pelagic_bodies* bodies = nullptr;
         expect_rejected(pelagic_bodies_create(ocean.get(), nullptr, &bodies),

@@ -118,6 +118,19 @@ TEST(ExportedNames, FollowThePattern) {
 }
 
 // As without a pattern: other files are unchanged, and complete frames are kept.
+TEST(ExportedNames, SummariesEscapeWhatATerminalWouldInterpret) {
+    const TemporaryFolder folder;
+    const std::string red = (folder / "\x1b[31mred").string();
+    const Outcome exported = run_pelagic(small_export(red, {"--loop-period", "1"}));
+    ASSERT_EQ(exported.exit_code, 0) << exported.err;
+    const Outcome verified = run_pelagic({"verify", red});
+    ASSERT_EQ(verified.exit_code, 0) << verified.err;
+    for (const std::string& text : {exported.out + exported.err, verified.out + verified.err}) {
+        EXPECT_EQ(text.find('\x1b'), std::string::npos) << text;
+        EXPECT_NE(text.find("\\x1b[31mred: "), std::string::npos) << text;
+    }
+}
+
 TEST(ExportedNames, WithAPatternCanBeResumedAndReplaced) {
     const TemporaryFolder folder;
     const auto export_with = [&](const Arguments& more) {

@@ -195,6 +195,21 @@ class ExrBytes {
     std::string text_;
 };
 
+TEST(ShoreCommand, NamesADamagedImageInOneLine) {
+    const TemporaryFolder folder;
+    write_image(folder / "floor.exr", beach_of_image());
+    write_image(folder / "floor.png", beach_of_image());
+    for (const char* name : {"floor.exr", "floor.png"}) {
+        const std::string file = (folder / name).string(), whole = read_file(file);
+        for (const std::size_t bytes : {whole.size() / 2, whole.size() - 40}) {
+            write_file(file, whole.substr(0, bytes));
+            const Outcome run = run_pelagic({"query", "--times", "0:0:1", "--floor", file, "--shore"});
+            expect_one_line(run, 2, "--floor is " + file + ", expected a PNG or EXR image");
+            EXPECT_EQ(run.err.find("\\n"), std::string::npos) << run.err;
+        }
+    }
+}
+
 TEST(ShoreCommand, RejectsHeadersThatNeedTooMuchMemory) {
     ExrBytes attributes, long_attribute;
     for (int i = 0; i < 100'000; ++i) attributes.attribute("a" + std::to_string(i), "int", std::string(4, '\0'));

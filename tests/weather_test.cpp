@@ -14,10 +14,12 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
 #include "pelagic/sim/cascades/spectrum_cache.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/frame_bits.hpp"
@@ -560,6 +562,20 @@ TEST(Weather, ALiveOceanRejectsALongerPeakThanItsLargest) {
     EXPECT_EQ(message_of([&] { ocean.schedule_sea(storm_sea, 10, 20); }).substr(0, 27), "change 1: peak_wavelength_m")
         << "the storm's peak is longer than the cascades are laid out for";
     EXPECT_EQ(hash_of(ocean.frame_at(12)), hash_of(Ocean(calm_sea, serial()).frame_at(12)));
+}
+
+// Cascades of a longer peak are wider at the same resolution.
+TEST(Weather, WarnsOfTheShortestWaveThatLongPeaksLeave) {
+    const SeaState calm = sea_preset_named("calm")->sea;
+    const Forecast forecast{.first = calm, .largest_peak_m = 300};
+    const CascadePlan finest = plan_cascades(forecast).back();
+    const std::string warning = warning_about(forecast);
+    EXPECT_TRUE(warning.starts_with("cascades for a peak wavelength of 300 m hold no waves shorter than "))
+        << warning;
+    EXPECT_NE(warning.find(rounded_text(2 * finest.grid.side_m / finest.resolution, 2) + " m, where"),
+              std::string::npos)
+        << warning;
+    EXPECT_EQ(warning_about(Forecast{.first = calm}), "");
 }
 
 TEST(Weather, AnotherSeaMayBeBakedWhileTheWeatherChanges) {

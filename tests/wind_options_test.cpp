@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/tools/text/wind_text.hpp"
 
 namespace pelagic {
@@ -40,6 +41,26 @@ TEST(WindSpeed, HasUnits) {
     for (const char* text : {"", "kn", "knots", "20knotss", "20  knots", "20  kn", "bft", "bft0", "bft13", "bft6.5",
                              "6bft", "nankn", "20kn ", "0x9"})
         EXPECT_FALSE(tools::parse_speed_mps(text)) << text;
+}
+
+TEST(Durations, HaveUnits) {
+    for (const char* text : {"90", "90s", "90 s", "1.5min", "1.5 min"})
+        EXPECT_EQ(tools::parse_seconds(text), 90) << text;
+    for (const char* text : {"", "s", "min", "4h", "4  s", "4sec", "4 s "})
+        EXPECT_FALSE(tools::parse_seconds(text)) << text;
+    EXPECT_EQ(sea_of_options({"--loop-period", "2min"}).at("loop_period_s"), 120);
+    EXPECT_EQ(sea_of_options({}, "loop_period = \"90 s\"\nswell_period = \"14s\"\n").at("swell_period_s"), 14);
+    expect_one_line(run_pelagic({"info", "--loop-period", "4h"}), 2,
+                    "--loop-period 4h is out of range [0.1, 86400] s, or with a unit such as 4s, 2min");
+}
+
+// A loop holds whole periods, so one of 4 s has waves of 4 s where the model's peak is at 6.6 s.
+TEST(Durations, OfAPeakInAShortLoopArePrinted) {
+    const Outcome info = run_pelagic({"info", "--loop-period", "4s"});
+    EXPECT_NE(info.out.find("peak 6.62 s, in this loop 4 s ("), std::string::npos) << info.out;
+    EXPECT_NE(info.out.find("a loop of 4 s changes the peak period by 40 %, to 4 s: "), std::string::npos)
+        << info.out;
+    EXPECT_EQ(run_pelagic({"info"}).out.find("in this loop"), std::string::npos);
 }
 
 // The ranges of the World Meteorological Organization's table, m/s (Manual on Codes, code table

@@ -12,6 +12,7 @@
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/python/bindings/ocean_parts.hpp"
 #include "pelagic/python/bindings/sea_fields.hpp"
+#include "pelagic/sim/statistics.hpp"
 
 namespace py = pybind11;
 
@@ -51,6 +52,8 @@ OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam
         ocean = std::make_shared<SharedOcean>(forecast, options);
     }
     taken.give_to(ocean);
+    if (const std::string warning = largest_peak_m > 0 ? warning_about(forecast) : ""; !warning.empty())
+        if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 2) != 0) throw py::error_already_set();
     return ocean;
 }
 

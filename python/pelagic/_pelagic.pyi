@@ -416,7 +416,8 @@ class Ocean:
         isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest.
                     Results are bit-identical
         largest_peak_m  longest peak wavelength that the cascades support, for a sea of a later
-                    transition: its report().peak_wavelength_m. 0: that of the first sea
+                    transition: its report().peak_wavelength_m. 0: that of the first sea. A warning
+                    names the shortest wave that is left if it is twice as long as without
         dynamic_waves  the grid of wakes, ripples and splashes; None: no dynamic waves
         shore       a sea floor that affects waves; None: no shore
         inputs      waves that are added to those of the wind, in this order; they change the hash

@@ -170,6 +170,17 @@ std::vector<CascadePlan> plan_cascades(const Forecast& forecast) {
     return plan_cascades(forecast.first, reach_of(forecast));
 }
 
+std::string warning_about(const Forecast& forecast) {
+    const auto shortest_m = [](const std::vector<CascadePlan>& plans) {
+        return 2 * plans.back().grid.side_m / plans.back().resolution;
+    };
+    const double shared_m = shortest_m(plan_cascades(forecast)), alone_m = shortest_m(plan_cascades(forecast.first));
+    if (shared_m < 2 * alone_m) return {};
+    return "cascades for a peak wavelength of " + rounded_text(reach_of(forecast).peak_m, 3) +
+           " m hold no waves shorter than " + rounded_text(shared_m, 2) + " m, where the first sea alone has " +
+           rounded_text(alone_m, 2) + " m: raise the resolution";
+}
+
 SeaState sea_between(const SeaState& before, const SeaState& after, double weight) {
     const DefaultFloatEnvironment environment;
     if (weight == 0) return before;

@@ -379,7 +379,8 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
     if (std::fabs(looped / peak.omega - 1) > 0.1)
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s changes the peak period by " +
                            number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
-                           " %: each wave has a whole number of periods per loop");
+                           " %, to " + short_text(two_pi / looped) +
+                           " s: each wave has a whole number of periods per loop");
     const double ten_peaks_s = ten_peak_periods_s(asked);
     if (is_short_loop(sea, ten_peaks_s) && found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) +
@@ -426,6 +427,10 @@ SeaReport expected_report_on(const SeaState& sea) {
     const ModelWaves asked = model_waves_of(sea, plan);
     const bool needs_draws = is_short_loop(sea, ten_peak_periods_s(asked));
     return report_from(sea, plan, asked, needs_draws ? Contents::drawn : Contents::means_by_system);
+}
+
+double period_in_loop_s(double period_s, double loop_period_s) {
+    return loop_period_s / loop_harmonic(two_pi / period_s, loop_period_s);
 }
 
 double repeat_length_m(const SeaState& sea) {

@@ -17,6 +17,7 @@
 #include "pelagic/tools/benchmark/stage_work.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/commands/idle_ocean.hpp"
+#include "pelagic/tools/export/export_summary.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
@@ -215,7 +216,10 @@ void print_sea_summary(const Json& json) {
     row("Waves", "Hs " + number(height.at("expected")) + " m expected" +
                      (measured.is_null() ? "" : ", " + number(measured) + " m in this seed's first frame") +
                      " (sea state " + step(waves.at("sea_state")) + ")");
-    row("Periods", "peak " + number(waves.at("peak_period_s").at("expected")) + " s (" +
+    row("Periods", "peak " +
+                       peak_period_text(waves.at("peak_period_s").at("expected").get<double>(),
+                                        sea.at("loop_period_s").get<double>(), 3) +
+                       " (" +
                        number(waves.at("peak_wavelength_m")) + " m), Tm01 " +
                        number(waves.at("tm01_s").at("expected")) + " s, Tm02 and zero crossings " +
                        number(waves.at("tm02_s").at("expected")) + " s");

@@ -435,7 +435,8 @@ Json render_images(const RenderOptions& options, const gl::Sky& sky, const Outpu
 
 void print_render_summary(const RenderOptions& options, const Json& json, std::size_t frames) {
     if (!options.sky_file.empty())
-        std::printf("%s: the sky, %dx%d\n", escaped(options.sky_file.string()).c_str(), panorama_width, panorama_height);
+        std::printf("%s: the sky, %dx%d\n", escaped(options.sky_file.string()).c_str(), panorama_width,
+                    panorama_height);
     if (!json.contains("statistics")) {
         if (options.resume) std::printf("all %d images exist\n", options.frames);
         return;

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/message/one_line.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/encode/encode_image.hpp"
 #include "pelagic/tools/events/event_player.hpp"
+#include "pelagic/tools/export/export_summary.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
 #include "pelagic/tools/export/mesh_sequences.hpp"
@@ -242,7 +244,8 @@ void preview_export(const ExportOptions& options, OceanOptions how, const Output
     if (options.events) frame.dynamic_waves = player.emplace(*options.events, how.executor, how.isa).at(first_s);
     const Expected expected = expected_of(options, frame);
     const std::string sea = "Hs " + rounded_text(measured_significant_wave_height_m(frame), 3) + " m, peak period " +
-                            rounded_text(expected_waves(options.sea.sea).peak_period_s, 2) + " s";
+                            peak_period_text(expected_waves(options.sea.sea).peak_period_s,
+                                             options.sea.sea.loop_period_s, 2);
     ShadedSea still(options.sea.sea, sheet_width - 2 * margin, still_height, how.executor);
     const RgbaImage image = preview_of(still, still.draw(frame));
     write_preview_png(
@@ -250,7 +253,7 @@ void preview_export(const ExportOptions& options, OceanOptions how, const Output
         sheet_of({sea, times_text(options.times), expected_text(expected)}, image, cells_of(options, frame)));
     const std::string film = FilmMaker(options, ocean, how.executor).write_to(folder);
     std::printf("%s: the maps of the first frame, %s\n%s\nThe export will have %s. Nothing of it was written.\n",
-                (folder.path() / preview_sheet_name).c_str(), sea.c_str(), film.c_str(),
+                escaped((folder.path() / preview_sheet_name).string()).c_str(), sea.c_str(), film.c_str(),
                 expected_text(expected).c_str());
 }
 

@@ -1,9 +1,11 @@
 #include "pelagic/tools/export/export_summary.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/message/one_line.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/text/notes.hpp"
 
@@ -27,8 +29,15 @@ std::string warning_about_loop(const ExportOptions& options) {
 
 }  // namespace
 
+std::string peak_period_text(double period_s, double loop_period_s, int digits) {
+    const double looped_s = period_in_loop_s(period_s, loop_period_s);
+    const std::string text = rounded_text(period_s, digits) + " s";
+    return std::fabs(period_s / looped_s - 1) > 0.1 ? text + ", in this loop " + rounded_text(looped_s, digits) + " s"
+                                                    : text;
+}
+
 void print_summary(std::FILE* to, const ExportOptions& options, const ExportSummary& summary) {
-    std::fprintf(to, "%s: ", options.folder.c_str());
+    std::fprintf(to, "%s: ", escaped(options.folder.string()).c_str());
     if (options.shard) std::fprintf(to, "shard %s, ", text_of(*options.shard).c_str());
     std::fprintf(to, "%zu frame%s", summary.frames, summary.frames == 1 ? "" : "s");
     if (options.resume) std::fprintf(to, " (%zu of them kept)", summary.kept);
@@ -37,13 +46,15 @@ void print_summary(std::FILE* to, const ExportOptions& options, const ExportSumm
     std::fprintf(to, ", %s sea, ", std::string(waves).c_str());
     if (summary.frames > 0)
         std::fprintf(to, "Hs %.2f m, ", summary.height_sum_m / static_cast<double>(summary.frames));
-    std::fprintf(to, "peak period %.1f s\n", expected_waves(sea).peak_period_s);
+    std::fprintf(to, "peak period %s\n",
+                 peak_period_text(expected_waves(sea).peak_period_s, sea.loop_period_s, 3).c_str());
 }
 
 void print_notes(const ExportOptions& options) {
     if (options.shard) return;
     const SeaState& sea = options.sea.sea;
     for (const std::string& warning : warnings_about(sea)) print_note(warning);
+    if (const std::string warning = warning_about(forecast_of(options.sea)); !warning.empty()) print_note(warning);
     if (const std::string warning = warning_about_loop(options); !warning.empty()) print_note(warning);
     if (options.events)
         for (const std::string& warning : warnings_about(*options.events, !options.times.fps)) print_note(warning);

@@ -17,6 +17,19 @@ Descriptor open_to_read(const std::filesystem::path& file);
 /// Calls read(): returns the number of bytes read, 0 at the end, or -1 with errno set.
 std::ptrdiff_t read_some(int descriptor, std::span<char> bytes);
 
+/// Discards what is printed to stderr until its destruction: libraries print there beside the error
+/// that they return. \pre no other thread prints
+class SilentStderr {
+   public:
+    SilentStderr();
+    ~SilentStderr();
+    SilentStderr(const SilentStderr&) = delete;
+    SilentStderr& operator=(const SilentStderr&) = delete;
+
+   private:
+    Descriptor kept_;
+};
+
 /// Switches standard input and output to binary mode, so that a line ends with "\n" on every
 /// system.
 void keep_bytes_as_they_are();

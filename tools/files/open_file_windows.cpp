@@ -22,6 +22,15 @@ std::ptrdiff_t read_some(int descriptor, std::span<char> bytes) {
     return ::_read(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), max_at_once)));
 }
 
+SilentStderr::SilentStderr() : kept_(::_dup(::_fileno(stderr))) {
+    const Descriptor nowhere(::_wopen(L"NUL", _O_WRONLY | _O_NOINHERIT));
+    if (kept_.is_open() && nowhere.is_open()) ::_dup2(nowhere.get(), ::_fileno(stderr));
+}
+
+SilentStderr::~SilentStderr() {
+    if (kept_.is_open()) ::_dup2(kept_.get(), ::_fileno(stderr));
+}
+
 void keep_bytes_as_they_are() {
     for (std::FILE* const stream : {stdin, stdout}) ::_setmode(::_fileno(stream), _O_BINARY);
 }

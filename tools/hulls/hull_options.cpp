@@ -62,6 +62,7 @@ std::optional<HullLaunch> HullFlags::resolve() const {
     }
     if (!mass_) throw InputError("--mass is missing: --hull needs the mass of the hull in kilograms");
     HullLaunch launch;
+    launch.typed = "--mass " + *mass_ + (thrust_ ? " --hull-thrust " + *thrust_ : "");
     HullOptions options;
     options.mass_kg = number_in("--mass", *mass_, 1e-6, 1e10, "[1e-6, 1e10] kg");
     if (position_) {

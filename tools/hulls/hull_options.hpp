@@ -17,6 +17,7 @@ struct HullLaunch {
     double x_m = 0, z_m = 0;  ///< of the centre of mass
     double heading_rad = 0;   ///< from +x (east) towards +z (south)
     double thrust_n = 0;      ///< at the centre of mass, towards the bow
+    std::string typed = {};   ///< options of its mass and force, for messages
 
     HullPlace place() const { return {hull->mesh().upper_m().x - hull->mesh().lower_m().x, x_m, z_m}; }
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace pelagic::tools {
@@ -40,11 +41,15 @@ Frame HullPlayer::frame_at(std::int64_t step) {
 void HullPlayer::step() {
     FloatingHull& body = bodies_[0];
     const Frame frame = frame_at(step_);
-    wake_->press(frame, body.state, body.loads, hull_step_s);
-    waves_.follow_hull(body.state.position_m.x, body.state.position_m.z);
-    body.inputs.force.force_n = launch_.thrust_n * glm::mat3_cast(body.state.orientation)[0];
-    before_ = body.state;
-    hulls_.step(SurfaceQuery(frame), bodies_, hull_step_s);
+    try {
+        wake_->press(frame, body.state, body.loads, hull_step_s);
+        waves_.follow_hull(body.state.position_m.x, body.state.position_m.z);
+        body.inputs.force.force_n = launch_.thrust_n * glm::mat3_cast(body.state.orientation)[0];
+        before_ = body.state;
+        hulls_.step(SurfaceQuery(frame), bodies_, hull_step_s);
+    } catch (const std::invalid_argument& error) {
+        throw std::runtime_error(launch_.typed + ": the hull moves out of range: " + error.what());
+    }
     ++step_;
 }
 

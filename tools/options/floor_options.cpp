@@ -11,6 +11,7 @@
 #include "pelagic/tools/encode/exr_header.hpp"
 #include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/files/open_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/notes.hpp"
@@ -46,6 +47,7 @@ ShoreOptions read_heights(const std::string& file, const std::string& extension)
     const std::span<const unsigned char> data(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     ShoreOptions field;
     try {
+        const SilentStderr libraries;
         ImageDescription image{.extension = extension.c_str(),
                                .width = 0,
                                .height = 0,
@@ -68,7 +70,8 @@ ShoreOptions read_heights(const std::string& file, const std::string& extension)
     } catch (const FileError&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw bad_value("--floor", file, std::string(an_image) + " (" + error.what() + ")");
+        const std::string reason = error.what();  // some readers add a line for each of their functions
+        throw bad_value("--floor", file, std::string(an_image) + " (" + reason.substr(0, reason.find('\n')) + ")");
     }
     return field;
 }

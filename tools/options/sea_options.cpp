@@ -58,12 +58,14 @@ bool is_angle(const SeaFlag& flag) { return sea_angle(flag.field) != nullptr; }
 bool is_roughness(const SeaFlag& flag) { return flag.field == "roughness"; }
 bool is_direction(const SeaFlag& flag) { return flag.field.ends_with("_direction_rad"); }
 bool is_speed(const SeaFlag& flag) { return flag.field == "wind_speed_mps"; }
+bool is_duration(const SeaFlag& flag) { return flag.field.ends_with("_s"); }
 
 std::string accepted_by(const SeaFlag& flag) {
     if (is_direction(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
     if (is_angle(flag)) return "degrees in [1, 80]";
     if (is_roughness(flag)) return "[0, 1] or wind";
     const std::string accepted(field_of(flag).accepted);
+    if (is_duration(flag)) return accepted + " s, or with a unit such as 4s, 2min";
     return is_speed(flag) ? accepted + " " + speed_units : accepted;
 }
 
@@ -75,11 +77,14 @@ std::string_view field_of_flag(std::string_view flag) {
 }
 
 /// Returns true if a config file may contain a string for this flag, such as "20kn" or "from-NW".
-bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag) || is_roughness(flag); }
+bool takes_words(const SeaFlag& flag) {
+    return is_direction(flag) || is_speed(flag) || is_duration(flag) || is_roughness(flag);
+}
 
 /// Parses a value in the flag's unit; the unit of angles is degrees.
 std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) {
     if (is_speed(flag)) return parse_speed_mps(text);
+    if (is_duration(flag)) return parse_seconds(text);
     if (is_roughness(flag) && text == "wind") return -1;
     if (is_direction(flag))
         if (const auto degrees = parse_compass_deg(text)) return degrees;
@@ -121,6 +126,7 @@ std::string names_of_presets() {
 std::string accepted_in_help(const SeaFlag& flag) {
     if (is_direction(flag)) return "degrees from +x (east) to +z (south), or from-NW";
     if (is_speed(flag)) return std::string(field_of(flag).accepted) + " m/s or 20kn, 40km/h, bft6";
+    if (is_duration(flag)) return std::string(field_of(flag).accepted);
     std::string accepted = accepted_by(flag);
     for (const std::string_view words : {"a whole number from ", ", or 0: chosen", ", or -1: chosen"})
         if (const std::size_t at = accepted.find(words); at != std::string::npos) accepted.erase(at, words.size());

@@ -25,6 +25,17 @@ std::optional<double> parse_number(std::string_view text) {
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+std::optional<double> parse_seconds(std::string_view text) {
+    const bool are_minutes = text.ends_with("min");
+    if (are_minutes || text.ends_with('s')) {
+        text.remove_suffix(are_minutes ? 3 : 1);
+        if (text.ends_with(' ')) text.remove_suffix(1);
+    }
+    const auto number = parse_number(text);
+    if (!number) return {};
+    return are_minutes ? *number * 60 : *number;
+}
+
 std::optional<std::int64_t> parse_integer(std::string_view text) { return parse_whole<std::int64_t>(text); }
 
 double number_in(const std::string& option, const std::string& text, double min, double max,

@@ -18,6 +18,10 @@ namespace pelagic::tools {
 /// none for anything else (NaN, inf, hex, units).
 std::optional<double> parse_number(std::string_view text);
 
+/// Parses "4", "4s" or "2min", with or without a blank before the unit. Returns seconds, or none for
+/// anything else.
+std::optional<double> parse_seconds(std::string_view text);
+
 /// Parses the whole text as a decimal integer. Returns none if the value is out of range of
 /// std::int64_t.
 std::optional<std::int64_t> parse_integer(std::string_view text);
