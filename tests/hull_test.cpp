@@ -478,6 +478,7 @@ TEST(Hull, AHitchIsDividedIntoSteps) {
     EXPECT_EQ(glm::length(loads.slamming.force_n), 0);
     hull.accelerate(state, loads, 0);
     EXPECT_EQ(state.velocity_mps, thrown().velocity_mps);
+}
 
 /// Level water that rises everywhere at one velocity.
 struct RisingWater : StillWater {
