@@ -53,7 +53,10 @@ HullOptions hull_options_of(const pelagic_hull_options* pointer) {
                         .friction_coefficient = from.friction_coefficient,
                         .air_coefficient = from.air_coefficient,
                         .water_density_kgpm3 = from.water_density_kgpm3,
-                        .air_density_kgpm3 = from.air_density_kgpm3};
+                        .air_density_kgpm3 = from.air_density_kgpm3,
+                        .skeg_m2 = from.skeg_m2,
+                        .skeg_x_m = from.skeg_x_m,
+                        .skeg_y_m = from.skeg_y_m};
     if (const double* at = from.centre_of_mass_m) options.centre_of_mass_m = glm::dvec3(at[0], at[1], at[2]);
     if (const double* of = from.inertia_kgm2) options.inertia_kgm2 = glm::dvec3(of[0], of[1], of[2]);
     if (from.added_mass) {
@@ -150,6 +153,9 @@ pelagic_status pelagic_hull_defaults(pelagic_hull_options* options) {
         out.air_coefficient = ours.air_coefficient;
         out.water_density_kgpm3 = ours.water_density_kgpm3;
         out.air_density_kgpm3 = ours.air_density_kgpm3;
+        out.skeg_m2 = ours.skeg_m2;
+        out.skeg_x_m = ours.skeg_x_m;
+        out.skeg_y_m = ours.skeg_y_m;
         write_struct(out, options);
     });
 }

@@ -1374,6 +1374,10 @@ typedef struct pelagic_hull_options {
     double air_coefficient;      /* drag of faces above the water; [0, 10] */
     double water_density_kgpm3;  /* [500, 2000] */
     double air_density_kgpm3;    /* [0, 10] */
+    /* Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull under
+     * thrust; [0, 1e4]. 0: none. */
+    double skeg_m2;
+    double skeg_x_m, skeg_y_m; /* its middle in the axes of the mesh; [-1000, 1000] */
 } pelagic_hull_options;
 
 /* Sets every field but struct_size. mass_kg becomes 0, which the caller replaces.

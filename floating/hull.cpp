@@ -29,6 +29,9 @@ constexpr NumericField<HullOptions> hull_field_table[] = {
     {"air_coefficient", &HullOptions::air_coefficient, 0, 10, "[0, 10]"},
     {"water_density_kgpm3", &HullOptions::water_density_kgpm3, 500, 2000, "[500, 2000]"},
     {"air_density_kgpm3", &HullOptions::air_density_kgpm3, 0, 10, "[0, 10]"},
+    {"skeg_m2", &HullOptions::skeg_m2, 0, 1e4, "[0, 1e4]"},
+    {"skeg_x_m", &HullOptions::skeg_x_m, -1000, 1000, "[-1000, 1000]"},
+    {"skeg_y_m", &HullOptions::skeg_y_m, -1000, 1000, "[-1000, 1000]"},
 };
 
 /// Returns whether all pivots of a symmetric matrix are at least 0, within rounding.

@@ -20,12 +20,16 @@
 //   drag        1/2 rho C S |w.n| w.n along -n, C for faces that advance and for faces that
 //               retreat; and 1/2 rho C_f S |w_t| w_t for the friction along a face
 //   radiation   linear damping of heave and pitch on strips across the length, and of roll
+//   skeg        -1/2 rho S (1.56 |u| + 1.17 |v|) v across the hull, u and v the velocities ahead and
+//               across of the skeg: the lift of a fin whose aspect ratio with its mirror image is 1
+//               (L. F. Whicker and L. F. Fehlner, DTMB report 933, 1958), and the drag of a plate
+//               (Hoerner 1965)
 //   slamming    -(dA/dt) w while the added mass increases (T. von Karman, NACA TN 321, 1929)
 //   air         1/2 rho_air C_a S (w.n)^2 on faces above the water that meet the wind
 //
 // Results are bit-identical on every machine: only + - * / and square roots are used.
 //
-// Limitations. Water inside an open hull, lift of keels and foils, and the moment of a fluid on a
+// Limitations. Water inside an open hull, lift of foils, and the moment of a fluid on a
 // body in oblique flow (Munk) are left out. Added mass is given at rest and scales with the
 // displaced volume, at most by 1. Friction does not depend on the Reynolds number.
 #pragma once
@@ -72,6 +76,10 @@ struct HullOptions {
     double air_coefficient = 1;          ///< of faces above the water; [0, 10]
     double water_density_kgpm3 = 1025;   ///< [500, 2000]
     double air_density_kgpm3 = 1.225;    ///< [0, 10]
+    /// Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull
+    /// under thrust; [0, 1e4]. 0: none.
+    double skeg_m2 = 0;
+    double skeg_x_m = 0, skeg_y_m = 0;  ///< its middle in the axes of the mesh; [-1000, 1000]
 };
 
 /// Returns the table of the numeric options.

@@ -212,6 +212,19 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     for (const auto& [a, b, c] : mesh_.triangles())
         cut_at_waterline({vertices[a], vertices[b], vertices[c]}, add_wet, add_dry);
 
+    if (options_.skeg_m2 > 0) {
+        constexpr double lift = 1.56, plate_drag = 1.17;
+        const glm::dvec3 arm = axes * (glm::dvec3(options_.skeg_x_m, options_.skeg_y_m, 0) - centre_of_mass_m_);
+        const glm::dvec3 relative =
+            state.velocity_mps + glm::cross(state.angular_velocity_radps, arm) - mean.velocity_mps;
+        const double depth_m = loads.water_height_m + loads.water_slope_x * arm.x + loads.water_slope_z * arm.z -
+                               state.position_m.y - arm.y;
+        const double submerged = std::clamp(0.5 + depth_m / std::sqrt(options_.skeg_m2), 0.0, 1.0);
+        const double ahead = glm::dot(relative, axes[0]), across = glm::dot(relative, axes[2]);
+        const double flow = lift * std::fabs(ahead) + plate_drag * std::fabs(across);
+        drag.add(arm, -half_water * submerged * options_.skeg_m2 * flow * across * axes[2], relative);
+    }
+
     loads.displaced_m3 = wet.force_m3.y;
     loads.submersion = std::clamp(loads.displaced_m3 / floating_volume_m3_, 0.0, 1.0);
     const double roll = glm::dot(state.angular_velocity_radps - loads.water_rotation_radps, axes[0]);

@@ -64,6 +64,7 @@ TEST(CInterfaceHull, OptionsHaveTheDefaultsAndEffectsOfTheCppInterface) {
     options.heave_damping = 0.3, options.roll_damping = 0.1, options.pressure_coefficient = 0.5;
     options.suction_coefficient = 0.2, options.friction_coefficient = 0.01, options.air_coefficient = 1.2;
     options.water_density_kgpm3 = 1000, options.air_density_kgpm3 = 1.3;
+    options.skeg_m2 = 0.5, options.skeg_x_m = -2, options.skeg_y_m = 0.1;
     EXPECT_EQ(digest_of(), Hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 2500,
                                                          .centre_of_mass_m = glm::dvec3(-0.2, 0.5, 0.01),
                                                          .inertia_kgm2 = glm::dvec3(900, 4000, 3500),
@@ -75,7 +76,10 @@ TEST(CInterfaceHull, OptionsHaveTheDefaultsAndEffectsOfTheCppInterface) {
                                                          .friction_coefficient = 0.01,
                                                          .air_coefficient = 1.2,
                                                          .water_density_kgpm3 = 1000,
-                                                         .air_density_kgpm3 = 1.3})
+                                                         .air_density_kgpm3 = 1.3,
+                                                         .skeg_m2 = 0.5,
+                                                         .skeg_x_m = -2,
+                                                         .skeg_y_m = 0.1})
                                .digest());
     // The digest contains each of them.
     const std::uint64_t all = digest_of();
@@ -83,7 +87,8 @@ TEST(CInterfaceHull, OptionsHaveTheDefaultsAndEffectsOfTheCppInterface) {
          {&pelagic_hull_options::mass_kg, &pelagic_hull_options::heave_damping, &pelagic_hull_options::roll_damping,
           &pelagic_hull_options::pressure_coefficient, &pelagic_hull_options::suction_coefficient,
           &pelagic_hull_options::friction_coefficient, &pelagic_hull_options::air_coefficient,
-          &pelagic_hull_options::water_density_kgpm3, &pelagic_hull_options::air_density_kgpm3}) {
+          &pelagic_hull_options::water_density_kgpm3, &pelagic_hull_options::air_density_kgpm3,
+          &pelagic_hull_options::skeg_m2, &pelagic_hull_options::skeg_x_m, &pelagic_hull_options::skeg_y_m}) {
         const double before = options.*member;
         options.*member *= 0.9;
         EXPECT_NE(digest_of(), all);

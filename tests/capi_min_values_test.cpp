@@ -585,7 +585,10 @@ TEST(CInterfaceSmallestValues, FieldsOfHullsAreRejectedOrFinite) {
         {"friction_coefficient", &pelagic_hull_options::friction_coefficient},
         {"air_coefficient", &pelagic_hull_options::air_coefficient},
         {"water_density_kgpm3", &pelagic_hull_options::water_density_kgpm3},
-        {"air_density_kgpm3", &pelagic_hull_options::air_density_kgpm3}};
+        {"air_density_kgpm3", &pelagic_hull_options::air_density_kgpm3},
+        {"skeg_m2", &pelagic_hull_options::skeg_m2},
+        {"skeg_x_m", &pelagic_hull_options::skeg_x_m},
+        {"skeg_y_m", &pelagic_hull_options::skeg_y_m}};
     auto usual = sized<pelagic_hull_options>();
     if (pelagic_hull_defaults(&usual) != PELAGIC_OK) GTEST_SKIP() << pelagic_last_error();
     usual.mass_kg = 80;

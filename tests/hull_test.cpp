@@ -11,6 +11,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pelagic/floating/floating_hulls.hpp"
@@ -446,6 +447,51 @@ TEST(Hull, TheWaterTurnsWithTheSlopeOfABeamSea) {
         const glm::dvec3 ahead = glm::mat3_cast(state.orientation)[0];
         EXPECT_NEAR(glm::dot(loads.water_rotation_radps, ahead), slope_change, 0.05 * amplitude * k * omega);
     }
+}
+
+// Towed across at v and ahead at u: the difference of a skeg is 1/2 rho S (1.56 u + 1.17 v) v.
+TEST(Hull, ASkegHasTheLiftOfAFin) {
+    const HullMesh mesh = boat_mesh(6, 2.2, 1.2);
+    const StillWater water;
+    HullWorkspace workspace;
+    const auto drag = [&](double skeg_m2, double ahead, double across) {
+        const Hull hull(mesh, {.mass_kg = 3500, .skeg_m2 = skeg_m2, .skeg_x_m = -2.5});
+        HullState state = hull.at_rest(0, 0);
+        state.velocity_mps = {ahead, 0, across};
+        return hull.loads(water.query(), state, 1e-6, {}, workspace).drag;
+    };
+    for (const auto& [ahead, across] : {std::pair(4.0, 0.5), {0.0, 1.0}, {-3.0, -0.2}}) {
+        const HullForce with = drag(0.3, ahead, across), without = drag(0, ahead, across);
+        const double expected =
+            -0.5 * 1025 * 0.3 * (1.56 * std::fabs(ahead) + 1.17 * std::fabs(across)) * across;
+        EXPECT_NEAR(with.force_n.z - without.force_n.z, expected, 1e-3 * std::fabs(expected));
+        const double lever_m = -2.5 - Hull(mesh, {.mass_kg = 3500}).centre_of_mass_m().x;
+        EXPECT_NEAR(with.torque_nm.y - without.torque_nm.y, -lever_m * expected, 1e-3 * std::fabs(expected));
+    }
+}
+
+// A straight thrust, and a small turn at the start. The course of the second half minute.
+TEST(Hull, ASkegKeepsTheCourse) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the test above runs the same code";
+    const auto turn_rad = [](double skeg_m2) {
+        const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500, .skeg_m2 = skeg_m2, .skeg_x_m = -2.5});
+        const StillWater water;
+        HullWorkspace workspace;
+        HullState state = hull.at_rest(0, 0);
+        state.angular_velocity_radps.y = 0.02;
+        double turn = 0;
+        for (int i = 0; i < 60 / hull_step_s; ++i) {
+            const glm::dvec3 thrust = 3000.0 * glm::mat3_cast(state.orientation)[0];
+            hull.step(water.query(), state, hull_step_s, {.force = {.force_n = thrust}}, workspace);
+            if (i > 30 / hull_step_s) turn += state.angular_velocity_radps.y * hull_step_s;
+        }
+        return std::fabs(turn);
+    };
+    const double without = turn_rad(0), with = turn_rad(0.36);
+    RecordProperty("turn_rad", std::to_string(without) + " " + std::to_string(with));
+    EXPECT_GT(without, 1) << "the reason for skegs";
+    // The triangles of the mesh are not quite those of its mirror image.
+    EXPECT_LT(with, 10 * degree_rad);
 }
 
 TEST(Hull, AHitchIsDividedIntoSteps) {

@@ -86,7 +86,7 @@ HullMatrix matrix_of(py::handle given) {
 
 /// \param coefficients  the numeric options except the mass, in the order of hull_fields()
 HullPointer make_hull(py::handle vertices, py::handle triangles, py::handle mass_kg, py::handle centre_of_mass_m,
-                      py::handle inertia_kgm2, py::handle added_mass, const std::array<py::handle, 8>& coefficients) {
+                      py::handle inertia_kgm2, py::handle added_mass, const std::array<py::handle, 11>& coefficients) {
     HullOptions options;
     for (std::size_t i = 0; i < hull_fields().size(); ++i) {
         const NumericField<HullOptions>& field = hull_fields()[i];
@@ -114,17 +114,20 @@ void add_hull(py::module_& module) {
     py::class_<Hull, HullPointer> hull(module, "Hull", doc_of("Hull"));
     hull.def(py::init([](Of vertices, Of triangles, Of mass_kg, Of centre_of_mass_m, Of inertia_kgm2, Of added_mass,
                          Of heave_damping, Of roll_damping, Of pressure_coefficient, Of suction_coefficient,
-                         Of friction_coefficient, Of air_coefficient, Of water_density_kgpm3, Of air_density_kgpm3) {
+                         Of friction_coefficient, Of air_coefficient, Of water_density_kgpm3, Of air_density_kgpm3,
+                         Of skeg_m2, Of skeg_x_m, Of skeg_y_m) {
                  return make_hull(vertices, triangles, mass_kg, centre_of_mass_m, inertia_kgm2, added_mass,
                                   {heave_damping, roll_damping, pressure_coefficient, suction_coefficient,
-                                   friction_coefficient, air_coefficient, water_density_kgpm3, air_density_kgpm3});
+                                   friction_coefficient, air_coefficient, water_density_kgpm3, air_density_kgpm3,
+                                   skeg_m2, skeg_x_m, skeg_y_m});
              }),
              py::arg("vertices"), py::arg("triangles"), py::arg("mass_kg"), py::kw_only(),
              py::arg("centre_of_mass_m") = py::none(), py::arg("inertia_kgm2") = py::none(),
              py::arg("added_mass") = py::none(), py::arg("heave_damping") = 0.2, py::arg("roll_damping") = 0.05,
              py::arg("pressure_coefficient") = 0.7, py::arg("suction_coefficient") = 0.35,
              py::arg("friction_coefficient") = 0.004, py::arg("air_coefficient") = 1.0,
-             py::arg("water_density_kgpm3") = 1025.0, py::arg("air_density_kgpm3") = 1.225, doc_of("Hull.__init__"));
+             py::arg("water_density_kgpm3") = 1025.0, py::arg("air_density_kgpm3") = 1.225,
+             py::arg("skeg_m2") = 0.0, py::arg("skeg_x_m") = 0.0, py::arg("skeg_y_m") = 0.0, doc_of("Hull.__init__"));
     add(hull, "volume_m3", [](const Hull& of) { return of.mesh().volume_m3(); });
     add(hull, "centre_m", [](const Hull& of) { return tuple_of(of.mesh().centre_m()); });
     add(hull, "mass_kg", [](const Hull& of) { return of.mass_kg(); });

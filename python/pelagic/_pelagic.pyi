@@ -512,6 +512,9 @@ class Hull:
         air_coefficient: float = 1.0,
         water_density_kgpm3: float = 1025.0,
         air_density_kgpm3: float = 1.225,
+        skeg_m2: float = 0,
+        skeg_x_m: float = 0,
+        skeg_y_m: float = 0,
     ) -> None:
         """Creates a hull from a closed mesh, wound counter-clockwise as seen from outside.
 
@@ -527,6 +530,8 @@ class Hull:
         friction_coefficient  [0, 1]
         air_coefficient  drag of faces above the water; [0, 10]
         water_density_kgpm3, air_density_kgpm3  [500, 2000] and [0, 10]
+        skeg_m2     lateral area of a skeg, keel or fin, which keeps the course under thrust; [0, 1e4]
+        skeg_x_m, skeg_y_m  its middle in the mesh's axes; [-1000, 1000]
         """
     @property
     def volume_m3(self) -> float:

@@ -550,6 +550,9 @@ class pelagic_hull_options(ctypes.Structure):
         ("air_coefficient", c_double),
         ("water_density_kgpm3", c_double),
         ("air_density_kgpm3", c_double),
+        ("skeg_m2", c_double),
+        ("skeg_x_m", c_double),
+        ("skeg_y_m", c_double),
     ]
 
 

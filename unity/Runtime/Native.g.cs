@@ -689,6 +689,15 @@ namespace Pelagic
         public double WaterDensityKgpm3;
         /// <summary>[0, 10]</summary>
         public double AirDensityKgpm3;
+        /// <summary>
+        /// Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull under
+        /// thrust; [0, 1e4]. 0: none.
+        /// </summary>
+        public double SkegM2;
+        /// <summary>its middle in the axes of the mesh; [-1000, 1000]</summary>
+        public double SkegXM;
+        /// <summary>its middle in the axes of the mesh; [-1000, 1000]</summary>
+        public double SkegYM;
 
         private void CopyTo(ref Native.pelagic_hull_options native)
         {
@@ -701,6 +710,9 @@ namespace Pelagic
             native.air_coefficient = AirCoefficient;
             native.water_density_kgpm3 = WaterDensityKgpm3;
             native.air_density_kgpm3 = AirDensityKgpm3;
+            native.skeg_m2 = SkegM2;
+            native.skeg_x_m = SkegXM;
+            native.skeg_y_m = SkegYM;
         }
 
         private void CopyFrom(in Native.pelagic_hull_options native)
@@ -714,6 +726,9 @@ namespace Pelagic
             AirCoefficient = native.air_coefficient;
             WaterDensityKgpm3 = native.water_density_kgpm3;
             AirDensityKgpm3 = native.air_density_kgpm3;
+            SkegM2 = native.skeg_m2;
+            SkegXM = native.skeg_x_m;
+            SkegYM = native.skeg_y_m;
         }
     }
 
@@ -1095,6 +1110,9 @@ namespace Pelagic
             internal double air_coefficient;
             internal double water_density_kgpm3;
             internal double air_density_kgpm3;
+            internal double skeg_m2;
+            internal double skeg_x_m;
+            internal double skeg_y_m;
         }
 
         [StructLayout(LayoutKind.Sequential)]
