@@ -24,7 +24,7 @@ struct SavedHeader {
     std::uint64_t checksum;  ///< XXH3 of all that follows it
     std::uint64_t count, next_number, has_wakes;
 };
-constexpr std::uint64_t saved_format = 0x32'594f'4248'4c50;  // "PLHBOY2"
+constexpr std::uint64_t saved_format = 0x33'594f'4248'4c50;  // "PLHBOY3"
 constexpr std::size_t checked_from = offsetof(SavedHeader, count);
 
 /// Before the numbers of each body.

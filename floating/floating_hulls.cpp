@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pelagic/simd/float_environment.hpp"
+
 namespace pelagic {
 namespace {
 
@@ -16,7 +17,7 @@ constexpr std::size_t jobs = 64;
 struct FloatingHulls::State {
     /// Steps a job's hulls: one query for all of them.
     void run(std::size_t job) {
-    const DefaultFloatEnvironment environment;
+        const DefaultFloatEnvironment environment;
         const std::size_t begin = job * hulls_a_job;
         if (begin >= hulls.size()) return;
         const std::span<FloatingHull> ours = hulls.subspan(begin, std::min(hulls_a_job, hulls.size() - begin));
@@ -60,6 +61,7 @@ FloatingHulls::FloatingHulls(std::shared_ptr<Executor> executor) : state_(new St
 FloatingHulls::~FloatingHulls() = default;
 
 bool FloatingHulls::step(const SurfaceQuery& water, std::span<FloatingHull> hulls, double step_s) {
+    const DefaultFloatEnvironment environment;
     Hull::check_step(water, step_s);
     for (std::size_t i = 0; i < hulls.size(); ++i) {
         if (!hulls[i].hull) throw std::invalid_argument("hull " + std::to_string(i) + " is null, expected a hull");

@@ -51,6 +51,7 @@ std::string check(const HullSprayOptions& options) { return check_fields(options
 
 HullSpray::HullSpray(const Hull& hull, const HullSprayOptions& options) : hull_(&hull), options_(options) {
     require(check(options));
+    const DefaultFloatEnvironment environment;
     const HullMesh& mesh = hull.mesh();
     draught_m_ = hull.afloat().floats ? hull.afloat().draught_m : (mesh.upper_m() - mesh.lower_m()).y / 2;
 }
@@ -59,6 +60,7 @@ void HullSpray::update(const SurfaceQuery& water, const HullState& state, const 
                        HullWorkspace& workspace, const HullWake* wake) {
     const DefaultFloatEnvironment environment;
     Hull::check_step(water, step_s);
+    step_s = Hull::Steps(step_s).each_s;  // of the loads
     require(Hull::check(state));
     jets_.clear();
     emitters_.clear();

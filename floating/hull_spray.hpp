@@ -69,7 +69,7 @@ class HullSpray {
     /// have reached their size.
     /// \param water  of the step's frame, with velocities
     /// \param state, loads  after the step
-    /// \param step_s  at least 0
+    /// \param step_s  of Hull::step(); of a divided step, the spray is that of its last part
     /// \param wake  HullInputs::wake of the step
     /// \throws std::invalid_argument  Hull::check(state), or what Hull::check_step() throws
     void update(const SurfaceQuery& water, const HullState& state, const HullLoads& loads, double step_s,

@@ -105,7 +105,7 @@ Hull::Steps::Steps(double step_s) {
     constexpr double longest_s = 0.1, longest_sum_s = 1;
     const double sum_s = std::min(step_s, longest_sum_s);
     count = static_cast<int>(std::ceil(sum_s / longest_s));
-    each_s = sum_s / count;
+    each_s = count > 0 ? sum_s / count : 0;
     are_all = sum_s == step_s;
 }
 

@@ -22,6 +22,7 @@ int cells(double size_m, double texel_m) {
 /// Fraction of a tick by which a frame may miss it, as for DynamicWaves.
 constexpr double clock_slack = 0x1p-16;
 constexpr double fastest_mps = 1000;  // of footprints
+constexpr double longest_s = 1e6;     // between calls; more counts as this
 
 }  // namespace
 
@@ -132,9 +133,14 @@ HullWake::FrameTick HullWake::tick_of(double time_s) const {
 }
 
 /// Returns the footprint of a tick, at most two before the last one.
-HullWake::ActingFootprint HullWake::acting_at(std::int64_t tick) const {
-    if (tick > tick_) return {&next_, static_cast<double>(tick - tick_ - 1) / waves_->options().ticks_per_s};
-    return {&acted_[static_cast<std::size_t>(std::min<std::int64_t>(tick_ - tick, 2))], 0};
+/// \param now  tick of the frame: after a longer time than it computes, the grid leaves ticks out,
+///     and footprints stand still in them
+HullWake::ActingFootprint HullWake::acting_at(std::int64_t tick, std::int64_t now) const {
+    if (tick <= tick_) return {&acted_[static_cast<std::size_t>(std::min<std::int64_t>(tick_ - tick, 2))], 0};
+    const double rate = waves_->options().ticks_per_s;
+    const auto left_out =
+        std::max<std::int64_t>(0, now - tick_ - static_cast<std::int64_t>(DynamicWaves::max_jump_s * rate));
+    return {&next_, static_cast<double>(std::max<std::int64_t>(0, tick - tick_ - 1 - left_out)) / rate};
 }
 
 void HullWake::keep_acted(std::int64_t tick) {
@@ -143,7 +149,7 @@ void HullWake::keep_acted(std::int64_t tick) {
     const auto acted = static_cast<std::size_t>(std::min<std::int64_t>(passed, 3));
     std::rotate(acted_.begin(), acted_.end() - acted, acted_.end());
     for (std::size_t before = 0; before < acted; ++before)
-        acting_at(tick - static_cast<std::int64_t>(before)).copy_to(acted_[before]);
+        acting_at(tick - static_cast<std::int64_t>(before), tick).copy_to(acted_[before]);
 }
 
 void HullWake::ActingFootprint::copy_to(PressureFootprint& moved) const {
@@ -165,6 +171,7 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
     const DefaultFloatEnvironment environment;
     check_step(step_s);
     if (step_s == 0) return;
+    step_s = std::min(step_s, longest_s);
     const FrameTick now = tick_of(frame.time_s);
     if (afloat_s_ > 0) keep_acted(now.tick);
     tick_ = now.tick;
@@ -177,8 +184,7 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
     hull_m_ = state.position_m;
     const glm::dvec3 velocity_mps = (pressure_m_ - pressure_before_m) / step_s;
     const glm::dvec3 middle = middle_of_plan_m(state);
-    // The frame after the next tick shows that tick's water, whose hollow lies half a tick ahead of
-    // the pressure.
+    // At the middle of the next tick.
     const double ahead_s = (1.5 - now.fraction) / waves_->options().ticks_per_s;
     next_.x_m = pressure_m_.x + middle.x + ahead_s * velocity_mps.x;
     next_.z_m = pressure_m_.z + middle.z + ahead_s * velocity_mps.z;
@@ -191,18 +197,22 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
 /// The hull's own hollow in the dynamic waves of a frame. Positions are in the water's frame.
 struct HullWake::Hollow {
     const WaterFrame& water;
+    const DynamicWavesOptions& options;
+    const DynamicWavesView& view;
     double texel_m, tick_s, now_s, fraction;
     std::array<ActingFootprint, 4> last;  ///< of the next tick, of the last one, and before it
 
     Hollow(const HullWake& wake, const Frame& frame)
         : water(frame.water_frame),
+          options(wake.waves_->options()),
+          view(frame.dynamic_waves),
           texel_m(wake.waves_->options().side_m / wake.waves_->options().resolution),
           tick_s(1.0 / wake.waves_->options().ticks_per_s) {
         const FrameTick now = wake.tick_of(frame.time_s);
         fraction = now.fraction;
         now_s = frame.time_s - now.fraction * tick_s;
         for (std::size_t i = 0; i < last.size(); ++i)
-            last[i] = wake.acting_at(now.tick + 1 - static_cast<std::int64_t>(i));
+            last[i] = wake.acting_at(now.tick + 1 - static_cast<std::int64_t>(i), now.tick);
     }
 
     /// Returns where the footprint's own position is that of a water's origin.
@@ -213,8 +223,16 @@ struct HullWake::Hollow {
         return origin;
     }
 
+    /// Returns the part of a texel's depth that the frame shows; 0 outside the grid.
+    double shown(std::int64_t x, std::int64_t z) const {
+        const auto part = [&](std::int64_t texel, std::int64_t first) {
+            return shown_part(options, std::min(texel - first, first + view.resolution - 1 - texel));
+        };
+        return part(x, view.first_x) * part(z, view.first_z);
+    }
+
     struct Depth {
-        double depth_m, sinking_mps;
+        double depth_m = 0, sinking_mps = 0;
     };
     /// As DynamicWavesView interpolates ticks. A pressure that moves once a tick is that of an even
     /// motion at the middle of the tick, so the hollow at its end is the mean of this tick's and the
@@ -229,15 +247,20 @@ struct HullWake::Hollow {
 
     /// Bilinear between texels, as the grid.
     Depth at(double x_m, double z_m) const {
-        const double i = std::floor(x_m / texel_m), j = std::floor(z_m / texel_m);
-        const double right = x_m / texel_m - i, bottom = z_m / texel_m - j;
+        const double column = std::floor(x_m / texel_m), row = std::floor(z_m / texel_m);
+        if (!(std::fabs(column) < 0x1p40 && std::fabs(row) < 0x1p40)) return {};
+        const double right = x_m / texel_m - column, bottom = z_m / texel_m - row;
+        const auto i = static_cast<std::int64_t>(column), j = static_cast<std::int64_t>(row);
+        const double weights[] = {(1 - right) * (1 - bottom) * shown(i, j), right * (1 - bottom) * shown(i + 1, j),
+                                  (1 - right) * bottom * shown(i, j + 1), right * bottom * shown(i + 1, j + 1)};
         return between_ticks([&](std::size_t which) {
             const WaterFrame::Origin origin = origin_of(which);
-            const auto texel = [&](double column, double row) {
-                return depth_at(*last[which].footprint, column * texel_m + origin.x_m, row * texel_m + origin.z_m);
-            };
-            return (1 - bottom) * ((1 - right) * texel(i, j) + right * texel(i + 1, j)) +
-                   bottom * ((1 - right) * texel(i, j + 1) + right * texel(i + 1, j + 1));
+            double depth_m = 0;
+            for (int corner = 0; corner < 4; ++corner)
+                depth_m += weights[corner] * depth_at(*last[which].footprint,
+                                                      (column + corner % 2) * texel_m + origin.x_m,
+                                                      (row + corner / 2) * texel_m + origin.z_m);
+            return depth_m;
         });
     }
 };
@@ -268,39 +291,48 @@ void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::spa
 
 HullForce HullWake::push(const Frame& frame, const HullState& state) const {
     const DefaultFloatEnvironment environment;
+    const DynamicWavesView& view = frame.dynamic_waves;
+    if (!view) return {};
     const Hollow hollow(*this, frame);
     const double texel_m = hollow.texel_m;
-    std::array<WaterFrame::Origin, 4> origins;
-    for (std::size_t which = 0; which < origins.size(); ++which) origins[which] = hollow.origin_of(which);
-    const PressureFootprint& pressed = *hollow.last[1].footprint;
-    // the rectangle, half a cell around it, and the motion of the ticks
+    const PressureFootprint &next = *hollow.last[0].footprint, &pressed = *hollow.last[1].footprint,
+                            &before = *hollow.last[2].footprint;
+    const WaterFrame::Origin next_at = hollow.origin_of(0), at = hollow.origin_of(1), before_at = hollow.origin_of(2);
+    // the rectangle, and half a cell around it
     const double ahead = (pressed.length_m + pressed.length_m / pressed.columns) / 2,
                  abeam = (pressed.beam_m + pressed.beam_m / pressed.rows) / 2;
     const double reach_x = std::fabs(pressed.forward_x) * ahead + std::fabs(pressed.forward_z) * abeam;
     const double reach_z = std::fabs(pressed.forward_z) * ahead + std::fabs(pressed.forward_x) * abeam;
-    const double at_x = pressed.x_m - origins[1].x_m, at_z = pressed.z_m - origins[1].z_m;
+    const double middle_x = pressed.x_m - at.x_m, middle_z = pressed.z_m - at.z_m;
+    // The texels of the grid that it reaches, its end exclusive.
+    const auto reached = [&](double middle_m, double reach_m, std::int64_t first) {
+        const double low = static_cast<double>(first), high = low + view.resolution;
+        return std::pair(
+            static_cast<std::int64_t>(std::clamp(std::ceil((middle_m - reach_m) / texel_m), low, high)),
+            static_cast<std::int64_t>(std::clamp(std::floor((middle_m + reach_m) / texel_m) + 1, low, high)));
+    };
+    const auto [first_x, end_x] = reached(middle_x, reach_x, view.first_x);
+    const auto [first_z, end_z] = reached(middle_z, reach_z, view.first_z);
     // the centre of mass at the pressure
     const glm::dvec3 middle = middle_of_plan_m(state);
-    const double mass_x = at_x - middle.x, mass_z = at_z - middle.z;
-    const double step_m = texel_m / 1024;
+    const double mass_x = middle_x - middle.x, mass_z = middle_z - middle.z;
+    const auto last = static_cast<std::size_t>(view.resolution) - 1;
     HullForce sum;
-    for (double row = std::ceil((at_z - reach_z) / texel_m); row * texel_m <= at_z + reach_z; ++row)
-        for (double column = std::ceil((at_x - reach_x) / texel_m); column * texel_m <= at_x + reach_x; ++column) {
-            const double x = column * texel_m, z = row * texel_m;
-            const double press_x = x + origins[1].x_m, press_z = z + origins[1].z_m;
-            const double slope_x = (depth_at(pressed, press_x + step_m, press_z) -
-                                    depth_at(pressed, press_x - step_m, press_z)) / (2 * step_m);
-            const double slope_z = (depth_at(pressed, press_x, press_z + step_m) -
-                                    depth_at(pressed, press_x, press_z - step_m)) / (2 * step_m);
-            if (slope_x == 0 && slope_z == 0) continue;
+    for (std::int64_t row = first_z; row < end_z; ++row)
+        for (std::int64_t column = first_x; column < end_x; ++column) {
+            const double x = static_cast<double>(column) * texel_m, z = static_cast<double>(row) * texel_m;
+            const DepthAndSlope here = depth_and_slope_at(pressed, x + at.x_m, z + at.z_m);
+            if (here.slope_x == 0 && here.slope_z == 0) continue;
+            // the depth of Hollow::between_ticks()
+            double depth_m = 0.5 * here.depth_m +
+                             (1 - hollow.fraction) / 2 * depth_at(before, x + before_at.x_m, z + before_at.z_m);
+            if (hollow.fraction > 0)
+                depth_m += hollow.fraction / 2 * depth_at(next, x + next_at.x_m, z + next_at.z_m);
+            const std::size_t texel = (static_cast<std::size_t>(row) & last) * (last + 1) +
+                                      (static_cast<std::size_t>(column) & last);
             const double height_m =
-                sample(frame.dynamic_waves, x, z).height_m +
-                hollow
-                    .between_ticks([&](std::size_t which) {
-                        return depth_at(*hollow.last[which].footprint, x + origins[which].x_m, z + origins[which].z_m);
-                    })
-                    .depth_m;
-            const glm::dvec3 force(height_m * slope_x, 0, height_m * slope_z);
+                static_cast<double>(view.height_m[texel]) + hollow.shown(column, row) * depth_m;
+            const glm::dvec3 force(height_m * here.slope_x, 0, height_m * here.slope_z);
             sum.force_n += force;
             sum.torque_nm += glm::cross(glm::dvec3(x - mass_x, 0, z - mass_z), force);
         }

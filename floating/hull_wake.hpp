@@ -33,7 +33,8 @@ class HullWake {
     /// the hull.
     static constexpr double return_s = 1;
 
-    /// Adds a pressure to the waves. It grows from zero to the hull's weight within launch_s().
+    /// Adds a pressure to the waves. It grows from zero to the hull's weight, or
+    /// less for a hull deeper than half of its beam or length, within launch_s().
     /// \pre both outlive this object
     HullWake(DynamicWaves& waves, const Hull& hull, const HullState& state);
 
@@ -96,7 +97,7 @@ class HullWake {
         /// Copies the moved footprint.
         void copy_to(PressureFootprint& moved) const;
     };
-    ActingFootprint acting_at(std::int64_t tick) const;
+    ActingFootprint acting_at(std::int64_t tick, std::int64_t now) const;
     void keep_acted(std::int64_t tick);
     void shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double step_s);
     struct Hollow;

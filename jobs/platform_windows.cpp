@@ -38,7 +38,8 @@ std::size_t min_stack_bytes() { return 64 << 10; }  // the granularity of addres
 
 int usable_cpus() {
     const int all = static_cast<int>(std::thread::hardware_concurrency());
-    return std::max(1, std::min(all, std::popcount(cpus_of_this_process())));
+    const std::uint64_t here = cpus_of_this_process();
+    return std::max(1, here == ~std::uint64_t{0} ? all : std::min(all, std::popcount(here)));
 }
 
 bool has_cpu_masks() { return true; }

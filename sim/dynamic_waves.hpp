@@ -77,6 +77,10 @@ struct DynamicWavesSample {
 /// differences at texels. Returns zeros outside the grid, and if x_m or z_m is infinite or NaN.
 DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m);
 
+/// Returns the part of its height that a frame shows of a texel, 0 to 1.
+/// \param from_edge  number of texels between it and the nearest edge of the grid; below 0: outside
+double shown_part(const DynamicWavesOptions& options, std::int64_t from_edge);
+
 /// Returns the XXH3 of the grid's position, heights, vertical velocities and foam, little-endian;
 /// 0 for an empty view. hash_of(frame) leaves dynamic waves out.
 std::uint64_t hash_of(const DynamicWavesView& view);

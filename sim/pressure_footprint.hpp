@@ -26,6 +26,14 @@ struct PressureFootprint {
 /// Returns the depth at a position in the world, metres.
 double depth_at(const PressureFootprint& footprint, double x_m, double z_m);
 
+/// A depth and its derivatives along x and z.
+struct DepthAndSlope {
+    double depth_m = 0, slope_x = 0, slope_z = 0;
+};
+
+/// Returns the depth at a position in the world, and its slope there.
+DepthAndSlope depth_and_slope_at(const PressureFootprint& footprint, double x_m, double z_m);
+
 /// Returns an empty string for a usable footprint, else what is wrong: "columns 0 is out of range
 /// [1, 64]".
 std::string check(const PressureFootprint& footprint);

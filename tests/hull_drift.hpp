@@ -34,6 +34,7 @@ struct FlatWater {
     FloatingHulls hulls{make_serial_executor()};
     double tick_s;
     int tick = 0;
+    double grid_away_m = 0;  ///< from the hull
 
     FlatWater(DriftingHull kind, int ticks_per_s)
         : hull(hull_of(kind)),
@@ -59,7 +60,7 @@ struct FlatWater {
         const Frame& frame = ocean.complete();
         HullState& state = floating.state;
         wake.press(frame, state, floating.loads, tick_s);
-        ocean.dynamic_waves().set_center(state.position_m.x, state.position_m.z);
+        ocean.dynamic_waves().set_center(state.position_m.x + grid_away_m, state.position_m.z);
         ocean.schedule(++tick * tick_s);
         if (tow_mps != 0) {
             state.velocity_mps = {tow_mps, state.velocity_mps.y, 0};

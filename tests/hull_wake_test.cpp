@@ -253,13 +253,25 @@ TEST(HullWake, ThePressureReturnsToTheHull) {
         return water.wake.footprint();
     };
     // Without a velocity the footprint lies at the pressure.
-    const auto away_m = [&](const PressureFootprint& of) { return of.x_m - 1.5 * water.tick_s * of.velocity_x_mps; };
+    const auto away_m = [&](const PressureFootprint& of) { return of.x_m; };
     const double middle_m = away_m(press(0));
     double first = 0, last = 0;
     for (int i = 0; i < 60; ++i) first = away_m(press(1)) - middle_m;
     for (int i = 0; i < 60; ++i) last = away_m(press(0)) - middle_m;
     EXPECT_LT(first, -0.5) << "a hull that stands in a flow: its pressure is carried along";
     EXPECT_NEAR(last / first, std::exp(-1 / HullWake::return_s), 0.01);
+}
+
+// A grid that does not follow the hull: at its middle, in its border, and away from it.
+TEST(HullWake, AHullAtTheEdgeOfTheGridStaysToo) {
+    if (is_sanitized) GTEST_SKIP() << "takes minutes; the tests above run the same code";
+    for (const double away_m : {24.0, 28.0, 32.0, 500.0}) {
+        FlatWater water(DriftingHull::boat, 60);
+        water.grid_away_m = away_m;
+        while (water.time_s() < 40) water.advance();
+        EXPECT_LT(water.speed_mps(), 0.01) << away_m;
+        EXPECT_NEAR(water.floating.state.position_m.y, water.hull.afloat().height_m, 0.01) << away_m;
+    }
 }
 
 TEST(HullWake, NoTimeChangesNothingAndATimeOutOfRangeIsRefused) {

@@ -20,8 +20,8 @@ constexpr double pressure_coefficient = 0.35, suction_coefficient = 0.17;
 constexpr double roll_damping = 0.3;  // with bilge keels
 constexpr double longest_step_s = 0.1;
 
-/// Enough to plane: a quarter of the weight takes it over its bow wave at 4 m/s.
-constexpr double thrust_n = 11e3, astern_fraction = 0.4;
+/// Enough to plane: a third of the weight takes it over its bow wave at 4 m/s.
+constexpr double thrust_n = 14e3, astern_fraction = 0.4;
 constexpr glm::dvec3 propeller_m(-3.4, -0.4, 0);
 constexpr double largest_rudder_rad = 0.35;
 /// Rudder and skeg. The lift of a flat plate at a small angle of attack, at half the slope of an

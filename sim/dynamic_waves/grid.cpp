@@ -107,9 +107,8 @@ void DynamicWaveGrid::lay_border() {
             const double within = from_edge < options_.border_m ? 1 - from_edge / options_.border_m : 0;
             const std::size_t at = placement_.in_torus(placement_.first()[axis] + static_cast<std::int64_t>(i));
             damping_[axis][at] = static_cast<float>(within > 0 ? det::exp(-edge * within * within * tick_s()) : 1);
-            // The two outermost texels are flat, so that slopes are 0 at the grid's edge.
-            const double shown = (texels_in - 1) * texel_m() / (0.5 * options_.border_m);
-            shown_[axis][at] = static_cast<float>(has_border ? std::clamp(shown, 0.0, 1.0) : 1);
+            const auto last = static_cast<std::int64_t>(n()) - 1, texel = static_cast<std::int64_t>(i);
+            shown_[axis][at] = static_cast<float>(shown_part(options_, std::min(texel, last - texel)));
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "pelagic/sim/dynamic_waves.hpp"
 
 #include <array>
+#include <algorithm>
 #include <cmath>
 
 #define XXH_INLINE_ALL
@@ -79,6 +80,15 @@ std::string check(const DynamicWavesOptions& options) {
                                          number_text(DynamicWaveGrid::max_coupling) + " at most, which is " +
                                          rounded_text(courant * courant, 3));
     return {};
+}
+
+double shown_part(const DynamicWavesOptions& options, std::int64_t from_edge) {
+    const DefaultFloatEnvironment environment;
+    if (from_edge < 0) return 0;
+    if (options.border_m == 0) return 1;
+    // The two outermost texels are flat, so that slopes are 0 at the grid's edge.
+    const double texel_m = options.side_m / options.resolution;
+    return std::clamp(static_cast<double>(from_edge - 1) * texel_m / (0.5 * options.border_m), 0.0, 1.0);
 }
 
 DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m) {

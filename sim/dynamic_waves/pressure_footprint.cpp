@@ -23,20 +23,27 @@ constexpr NumericField<Footprint> footprint_field_table[] = {
 
 }  // namespace
 
-double depth_at(const PressureFootprint& of, double x_m, double z_m) {
+DepthAndSlope depth_and_slope_at(const PressureFootprint& of, double x_m, double z_m) {
     const double x = x_m - of.x_m, z = z_m - of.z_m;
     const double column = ((x * of.forward_x + z * of.forward_z) / of.length_m + 0.5) * of.columns - 0.5;
     const double row = ((z * of.forward_x - x * of.forward_z) / of.beam_m + 0.5) * of.rows - 0.5;
-    if (!(column > -1 && column < of.columns && row > -1 && row < of.rows)) return 0;
+    if (!(column > -1 && column < of.columns && row > -1 && row < of.rows)) return {};
     const int left = static_cast<int>(std::floor(column)), top = static_cast<int>(std::floor(row));
     const double right_part = column - left, bottom_part = row - top;
     const auto cell = [&](int i, int j) -> double {
         if (i < 0 || i >= of.columns || j < 0 || j >= of.rows) return 0;
         return of.depth_m[static_cast<std::size_t>(j * of.columns + i)];
     };
-    const double upper = (1 - right_part) * cell(left, top) + right_part * cell(left + 1, top);
-    const double lower = (1 - right_part) * cell(left, top + 1) + right_part * cell(left + 1, top + 1);
-    return (1 - bottom_part) * upper + bottom_part * lower;
+    const double a = cell(left, top), b = cell(left + 1, top), c = cell(left, top + 1), d = cell(left + 1, top + 1);
+    const double upper = (1 - right_part) * a + right_part * b, lower = (1 - right_part) * c + right_part * d;
+    const double ahead = of.columns / of.length_m * ((1 - bottom_part) * (b - a) + bottom_part * (d - c));
+    const double abeam = of.rows / of.beam_m * (lower - upper);
+    return {(1 - bottom_part) * upper + bottom_part * lower, of.forward_x * ahead - of.forward_z * abeam,
+            of.forward_z * ahead + of.forward_x * abeam};
+}
+
+double depth_at(const PressureFootprint& of, double x_m, double z_m) {
+    return depth_and_slope_at(of, x_m, z_m).depth_m;
 }
 
 std::string check(const PressureFootprint& footprint) {
