@@ -85,9 +85,10 @@ class Display {
 /// The program with its window.
 class ViewTest : public testing::Test {
    protected:
-    void start() {
-        process_ = start_pelagic({"view", "--resolution", "64", "--quality", "low", "--size", "480x560",
-                                  "--wind-speed", "3", "--images", folder_.path().string()},
+    void start(const Arguments& more = {}) {
+        process_ = start_pelagic(joined({"view", "--resolution", "64", "--quality", "low", "--size", "480x560",
+                                         "--wind-speed", "3", "--images", folder_.path().string()},
+                                        more),
                                  out_, err_, [&] { setenv("DISPLAY", display_.name().c_str(), 1); });
         ASSERT_TRUE(wait_until([&] {
             return shell("DISPLAY=" + display_.name() + " xdotool search --name Pelagic || true")
@@ -177,20 +178,24 @@ std::pair<int, int> size_of_png(const std::string& bytes) {
 
 // Runs the printed command. It must be valid and render an image with the window's size and time.
 TEST_F(ViewTest, ThePrintedCommandRendersTheSameTimeAndSize) {
-    ASSERT_NO_FATAL_FAILURE(start());
-    const std::string said = end();
-    std::smatch command, time;
-    ASSERT_TRUE(std::regex_search(said, command, std::regex("pelagic (render --out sea\\.png .*)\n"))) << said;
-    const std::string words = command[1];
-    ASSERT_TRUE(std::regex_search(words, time, std::regex(" --time ([0-9.]+)"))) << words;
-    EXPECT_GT(std::stod(time[1]), 0) << words;
-    std::vector<std::string> arguments;
-    std::istringstream stream(words);
-    for (std::string word; stream >> word;)
-        arguments.push_back(word == "sea.png" ? (log_ / "sea.png").string() : word);
-    const Outcome run = run_pelagic(arguments);
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_EQ(size_of_png(read_file(log_ / "sea.png")), (std::pair{480, 560}));
+    for (const Arguments& more : std::vector<Arguments>{{"--spreading", "hasselmann"}, {"--preset", "analytic-calm"}}) {
+        ASSERT_NO_FATAL_FAILURE(start(more));
+        const std::string said = end();
+        std::smatch command, time;
+        ASSERT_TRUE(std::regex_search(said, command, std::regex("pelagic (render --out sea\\.png .*)\n"))) << said;
+        const std::string words = command[1];
+        ASSERT_TRUE(std::regex_search(words, time, std::regex(" --time ([0-9.]+)"))) << words;
+        EXPECT_GT(std::stod(time[1]), 0) << words;
+        const bool is_spectrum = more[0] == "--spreading";
+        EXPECT_NE(words.find(is_spectrum ? "--spreading hasselmann" : "--waves analytic"), std::string::npos) << words;
+        std::vector<std::string> arguments;
+        std::istringstream stream(words);
+        for (std::string word; stream >> word;)
+            arguments.push_back(word == "sea.png" ? (log_ / "sea.png").string() : word);
+        const Outcome run = run_pelagic(arguments);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        EXPECT_EQ(size_of_png(read_file(log_ / "sea.png")), (std::pair{480, 560}));
+    }
 }
 
 // The panel covers the left of the window. Its title bar has a blue that the sea does not have.

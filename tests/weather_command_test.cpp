@@ -35,6 +35,19 @@ class WeatherCommand : public testing::Test {
     TemporaryFolder folder_;
 };
 
+TEST_F(WeatherCommand, ShortWavesThatTheCascadesLeaveOutAreNoted) {
+    const std::string weather = file("preset = \"calm\"\n[[change]]\nfrom = 1\nover = 4\npreset = \"beaufort-12\"\n");
+    write_file(folder_ / "points.csv", "1,2\n");
+    const std::string says = "hold no waves shorter than ";
+    const Outcome table = run_pelagic({"info", "--weather", weather});
+    EXPECT_NE(table.out.find(says), std::string::npos) << table.out;
+    const Outcome json = run_pelagic({"info", "--json", "--weather", weather});
+    EXPECT_NE(nlohmann::json::parse(json.out).at("warnings").dump().find(says), std::string::npos) << json.out;
+    const Outcome query =
+        run_pelagic({"query", "--points", (folder_ / "points.csv").string(), "--weather", weather});
+    EXPECT_NE(query.err.find(says), std::string::npos) << query.err;
+}
+
 TEST_F(WeatherCommand, ExportHasTheFramesOfTheForecastAndItsRecordReproducesIt) {
     const nlohmann::json record = exported(file(calm_to_storm), "first");
     SeaState calm = sea_preset_named("calm")->sea, storm = sea_preset_named("storm")->sea;

@@ -40,7 +40,7 @@ double turns_of(double rad) {
 
 std::string check_pond(const SeaState& sea) {
     if (sea.wave_height_m == 0)
-        return invalid_value_message("wave_height_m", sea.wave_height_m, "more where waves is pond");
+        return invalid_value_message("wave_height_m", sea.wave_height_m, "above 0 where waves is pond");
     const PondSea asked = pond_sea_of(sea);
     if (asked.growth > 4)
         return invalid_value_message("wave_count", asked.octaves,

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -56,6 +58,12 @@ Json computing_as_json(const Ocean& ocean) {
             {"memory_bytes", ocean.memory_bytes()}, {"stages", stages}};
 }
 
+std::vector<std::string> warnings_of(const ResolvedSea& resolved, const SeaReport& report) {
+    std::vector<std::string> warnings = report.warnings;
+    if (std::string warning = warning_about_weather(resolved); !warning.empty()) warnings.push_back(std::move(warning));
+    return warnings;
+}
+
 /// Returns the options and waves of a sea, before the results of computing it.
 Json head_as_json(const ResolvedSea& resolved, const SeaReport& report, std::optional<double> measured_height_m) {
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(resolved)}};
@@ -79,7 +87,7 @@ Json measured_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
                            {"height_max_m", frame.bounds.height_max_m},
                            {"horizontal_x_max_m", frame.bounds.horizontal_x_max_m},
                            {"horizontal_z_max_m", frame.bounds.horizontal_z_max_m}};
-    json["warnings"] = report.warnings;
+    json["warnings"] = warnings_of(resolved, report);
     json["computing"] = computing_as_json(ocean);
     return json;
 }
@@ -94,7 +102,7 @@ Json expected_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
     Json json = head_as_json(resolved, report, std::nullopt);
     json["foam"] = nullptr;
     json["first_frame"] = nullptr;
-    json["warnings"] = report.warnings;
+    json["warnings"] = warnings_of(resolved, report);
     json["computing"] = computing_as_json(ocean);
     // the memory of an ocean without waves is valid to two digits
     json["computing"]["memory_bytes"] =

@@ -248,6 +248,7 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
 
 void QueryCommand::run() {
     const ResolvedSea sea = sea_.resolve();
+    print_weather_note(sea);
     const std::vector<double> times_s = times(sea);
     if (hull_.has_hull()) return run_hull(sea, times_s);
     hull_.resolve();  // rejects its other options

@@ -57,17 +57,21 @@ std::string light_text(const viewer::ViewSettings& settings) {
     return text;
 }
 
-/// Returns the `pelagic render` command for the final state of the window. Default values are
-/// omitted.
+/// Returns the `pelagic render` command for the final state of the window. Default values and options
+/// without effect are omitted.
 std::string render_command_of(const viewer::ViewResult& result) {
     const SeaState& sea = result.settings.sea;
     const SeaState defaults;
-    std::string text = "pelagic render --out sea.png --spectrum " + std::string(name_of(sea.spectrum));
+    const auto applies = [&](std::string_view field) { return requirement_of(field, sea).empty(); };
+    std::string text = "pelagic render --out sea.png";
+    if (applies("spectrum")) text += " --spectrum " + std::string(name_of(sea.spectrum));
+    if (sea.spreading != defaults.spreading && applies("spreading"))
+        text += " --spreading " + std::string(name_of(sea.spreading));
     if (sea.waves != defaults.waves) text += " --waves " + std::string(name_of(sea.waves));
     for (const SeaStateField& field : sea_state_fields()) {
         // "wind_speed_mps" is --wind-speed: the option has no unit suffix.
         const double value = field.value_in(sea);
-        if (value == field.value_in(defaults)) continue;
+        if (value == field.value_in(defaults) || !applies(field.name)) continue;
         const bool is_angle = field.name.ends_with("_rad");
         std::string flag(field.name);
         for (const char* unit : {"_mps", "_rad", "_m", "_s"})

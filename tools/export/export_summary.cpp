@@ -54,7 +54,7 @@ void print_notes(const ExportOptions& options) {
     if (options.shard) return;
     const SeaState& sea = options.sea.sea;
     for (const std::string& warning : warnings_about(sea)) print_note(warning);
-    if (const std::string warning = warning_about(forecast_of(options.sea)); !warning.empty()) print_note(warning);
+    print_weather_note(options.sea);
     if (const std::string warning = warning_about_loop(options); !warning.empty()) print_note(warning);
     if (options.events)
         for (const std::string& warning : warnings_about(*options.events, !options.times.fps)) print_note(warning);

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "pelagic/tools/text/errors.hpp"
+
 namespace pelagic::tools {
 namespace {
 
@@ -48,7 +50,7 @@ void HullPlayer::step() {
         before_ = body.state;
         hulls_.step(SurfaceQuery(frame), bodies_, hull_step_s);
     } catch (const std::invalid_argument& error) {
-        throw std::runtime_error(launch_.typed + ": the hull moves out of range: " + error.what());
+        throw InputError(launch_.typed + ": the hull moves out of range: " + error.what());
     }
     ++step_;
 }

@@ -172,6 +172,7 @@ void SceneFlags::read_camera_settings(gl::CameraSettings& settings) const {
 SceneOptions SceneFlags::resolve() const {
     SceneOptions options;
     options.sea = sea_.resolve();
+    print_weather_note(options.sea);
     options.compute = compute_.resolve();
     options.sky = default_sky(options.sea.sea);
     options.water_frame = water_frame_.resolve(floor_.has_shore());

@@ -7,9 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/options/config_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/tools/text/wind_text.hpp"
 
@@ -64,7 +66,9 @@ std::string accepted_by(const SeaFlag& flag) {
     if (is_direction(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
     if (is_angle(flag)) return "degrees in [1, 80]";
     if (is_roughness(flag)) return "[0, 1] or wind";
-    const std::string accepted(field_of(flag).accepted);
+    std::string accepted(field_of(flag).accepted);
+    // an option or file has no value for "chosen": it leaves the option out
+    if (const std::size_t at = accepted.find(", or "); field_of(flag).also) accepted.erase(at);
     if (is_duration(flag)) return accepted + " s, or with a unit such as 4s, 2min";
     return is_speed(flag) ? accepted + " " + speed_units : accepted;
 }
@@ -127,10 +131,9 @@ std::string accepted_in_help(const SeaFlag& flag) {
     if (is_direction(flag)) return "degrees from +x (east) to +z (south), or from-NW";
     if (is_speed(flag)) return std::string(field_of(flag).accepted) + " m/s or 20kn, 40km/h, bft6";
     if (is_duration(flag)) return std::string(field_of(flag).accepted);
-    std::string accepted = accepted_by(flag);
-    for (const std::string_view words : {"a whole number from ", ", or 0: chosen", ", or -1: chosen"})
-        if (const std::size_t at = accepted.find(words); at != std::string::npos) accepted.erase(at, words.size());
-    return accepted;
+    const std::string accepted = accepted_by(flag);
+    constexpr std::string_view whole = "a whole number from ";
+    return accepted.starts_with(whole) ? accepted.substr(whole.size()) : accepted;
 }
 
 const char* group_of(const SeaFlag& flag) {
@@ -177,9 +180,8 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
             "from-" + text + " or to-" + text + ": winds are named for where they come from, seas by where they go");
     const SeaAngle* const angle = sea_angle(flag.field);
     const double value = number ? (angle ? *number * radians_per_degree : *number) : 0;
-    if (!number || !field.accepts(value)) throw bad_value(option, text, accepted_by(flag));
-    if (!is_recorded && field.also == value && parse_number(text))
-        throw bad_value(option, text, accepted_in_help(flag));
+    const bool is_chosen = !is_recorded && field.also == value && parse_number(text);
+    if (!number || !field.accepts(value) || is_chosen) throw bad_value(option, text, accepted_by(flag));
 
     field.set(resolved.sea, value);
     if (flag.field == "loop_period_s") resolved.has_loop_period = true;
@@ -246,6 +248,20 @@ void require_effects(const std::vector<ConfigEntry>& entries, const std::vector<
     }
 }
 
+/// Replaces the names of fields in a reason of check() by those of their flags: --wave-height for
+/// wave_height_m. One word, such as "cascades", is a name only at the beginning.
+std::string named_as_flags(std::string reason) {
+    for (const SeaFlag& flag : sea_flags) {
+        const std::string name = "--" + std::string(flag.flag);
+        const bool is_word = flag.field.find('_') == std::string_view::npos;
+        for (std::size_t at = 0; (at = reason.find(flag.field, at)) != std::string::npos; at += name.size()) {
+            if (is_word && at > 0) break;
+            reason.replace(at, flag.field.size(), name);
+        }
+    }
+    return reason;
+}
+
 /// Stores the default cascades and resolution explicitly, so that files do not depend on the
 /// defaults of a version.
 void store_defaults(SeaState& sea) {
@@ -277,6 +293,14 @@ std::string_view requirement_of(std::string_view field, const SeaState& sea) {
     if (field == "wind_alignment") return unless(sea.spreading == SpreadingModel::paper, "--spreading paper");
     if (is_of_wind || field == "swell_height_m") return "";
     return unless(sea.swell_height_m > 0, "--swell-height");
+}
+
+std::string warning_about_weather(const ResolvedSea& sea) {
+    return sea.changes.empty() ? std::string() : warning_about(forecast_of(sea));
+}
+
+void print_weather_note(const ResolvedSea& sea) {
+    if (const std::string warning = warning_about_weather(sea); !warning.empty()) print_note(warning);
 }
 
 void SeaOptions::add_to(CLI::App& app, PresetName preset) {
@@ -424,7 +448,7 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config, Sea
     for (const std::string& flag : configurable_flags())
         if (const auto value = typed(flag); value && flag != "preset") apply(resolved, flag, *value, "--" + flag);
     // Checks combinations; each option has been checked individually.
-    if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);
+    if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(named_as_flags(reason));
     store_defaults(resolved.sea);
     return resolved;
 }

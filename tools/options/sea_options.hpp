@@ -69,6 +69,12 @@ const SeaAngle* sea_angle(std::string_view field);
 /// \param field  a name of sea_state_fields(), "spectrum" or "spreading"
 std::string_view requirement_of(std::string_view field, const SeaState& sea);
 
+/// Returns a warning if the transitions of --weather leave out short waves of the first sea, else an
+/// empty text.
+std::string warning_about_weather(const ResolvedSea& sea);
+/// Prints this warning as a note.
+void print_weather_note(const ResolvedSea& sea);
+
 class SeaOptions {
    public:
     enum class PresetName { option, positional_too };
