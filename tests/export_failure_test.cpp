@@ -242,5 +242,33 @@ TEST(Progress, ShowsTheTimeOfALongQueryOnATerminal) {
     EXPECT_NE(shown.find(" s left"), std::string::npos) << shown;
 }
 
+// Many blocks of points at one time. The query is killed once its progress is shown.
+TEST(Progress, ShowsTheFractionOfManyPointsOnATerminal) {
+    const TemporaryFolder folder;
+    const std::string points = (folder / "points.csv").string();
+    std::string text;
+    for (int i = 0; i < 10'000'000; ++i) text += "1,2\n";
+    write_file(points, text);
+    int terminal = -1;
+    const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    ASSERT_GE(process, 0);
+    if (process == 0) {
+        const bool is_silent = std::freopen("/dev/null", "w", stdout) != nullptr;
+        if (is_silent)
+            ::execl(tested_binary, "pelagic", "query", "--points", points.c_str(), "--foam", "--json", nullptr);
+        std::_Exit(127);
+    }
+    std::string shown;
+    char buffer[4096];
+    for (ssize_t got; shown.find(" s left") == std::string::npos &&
+                      (got = ::read(terminal, buffer, sizeof buffer)) > 0;)
+        shown.append(buffer, static_cast<std::size_t>(got));
+    ::kill(process, SIGKILL);
+    wait_for(process);
+    ::close(terminal);
+    EXPECT_NE(shown.find("point "), std::string::npos) << shown;
+    EXPECT_NE(shown.find(" %, "), std::string::npos) << shown;
+}
+
 }  // namespace
 }  // namespace pelagic

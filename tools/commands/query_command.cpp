@@ -6,10 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
@@ -111,20 +113,31 @@ std::vector<double> series(const std::string& text) {
     return times;
 }
 
-/// Shows the computed time on a terminal, with an estimate, after two seconds.
-class TimeProgress {
+/// Shows the computed time, or with one time the point, on a terminal, with an estimate, after two
+/// seconds.
+class QueryProgress {
    public:
-    TimeProgress(double begins_s, double ends_s) : begins_s_(begins_s), ends_s_(ends_s) {}
+    QueryProgress(double begins_s, double ends_s) : begins_s_(begins_s), ends_s_(ends_s) {}
 
+    /// \param first_point  number of the block's first point, from 0
+    /// \param from, to      fractions of all points before and after the block; 0 if unknown
+    void begin_block(std::size_t first_point, double from, double to) {
+        first_point_ = first_point;
+        from_ = from;
+        to_ = to;
+    }
     void show(double time_s) {
         const double all_s = ends_s_ - begins_s_;
-        progress_.show("time " + rounded_text(time_s, 1) + " of " + rounded_text(ends_s_, 1) + " s",
-                       all_s > 0 ? std::clamp((time_s - begins_s_) / all_s, 0.0, 1.0) : 0);
+        const double along = all_s > 0 ? std::clamp((time_s - begins_s_) / all_s, 0.0, 1.0) : 0;
+        progress_.show(all_s > 0 ? "time " + rounded_text(time_s, 1) + " of " + rounded_text(ends_s_, 1) + " s"
+                                 : "point " + number_text(first_point_ + 1),
+                       from_ + along * (to_ - from_));
     }
     void clear() { progress_.clear(); }
 
    private:
-    double begins_s_, ends_s_;
+    double begins_s_, ends_s_, from_ = 0, to_ = 1;
+    std::size_t first_point_ = 0;
     Progress progress_{"", 1, std::chrono::seconds(2)};
 };
 
@@ -231,7 +244,7 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
     ocean.set_water_frame(water);
     const double first_s = times_s.front();
     EventPlayer waves(events, executor, compute.isa, water, HullPlayer::begins_s(first_s));
-    TimeProgress progress(waves.begins_s(), times_s.back());
+    QueryProgress progress(waves.begins_s(), times_s.back());
     waves.report_to([&](double time_s) { progress.show(time_s); });
     HullPlayer hull(launch, ocean, waves, first_s, executor);
     std::string rows = json_ ? "[\n" : hull_columns() + "\n";
@@ -262,7 +275,14 @@ void QueryCommand::run() {
     if (!points_ || points_->empty())
         throw InputError("--points is missing: expected a CSV file of lines x,z, or - for standard input");
     InputFile file("--points", *points_, "a CSV file of lines x,z", true);
-    PointReader reader(file.name(), [&](std::span<char> bytes) { return file.read(bytes); });
+    std::error_code unknown_size;  // of a pipe
+    const auto all_bytes = std::filesystem::file_size(*points_, unknown_size);
+    std::size_t read_bytes = 0;
+    PointReader reader(file.name(), [&](std::span<char> bytes) {
+        const std::size_t got = file.read(bytes);
+        read_bytes += got;
+        return got;
+    });
     PointBlock block;
     bool has_points = reader.read_block(block, block_points);
 
@@ -282,11 +302,21 @@ void QueryCommand::run() {
     SpanNote span_note(repeat_length_m(sea.sea));
     std::optional<Frame> frame;
     if (!json_) print_note("interpolation is " + std::string(name_of(interpolation)));
+    QueryProgress progress(player ? std::min(player->begins_s(), times_s.front()) : times_s.front(), times_s.back());
+    if (player) player->report_to([&](double time_s) { progress.show(time_s); });
+    std::size_t points = 0;
+    double done = 0;  // fraction of the points
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
+        const bool is_all = points == 0 && block.size() < block_points;
+        const double until =
+            is_all         ? 1
+            : unknown_size ? 0
+                           : std::min(1.0, static_cast<double>(read_bytes) / static_cast<double>(all_bytes));
+        progress.begin_block(points, done, until);
+        points += block.size();
+        done = until;
         samples.resize(block.size());
         span_note.extend(block);
-        TimeProgress progress(player ? std::min(player->begins_s(), times_s.front()) : times_s.front(), times_s.back());
-        if (player) player->report_to([&](double time_s) { progress.show(time_s); });
         for (const double time_s : times_s) {
             progress.show(time_s);
             if (!frame || times_s.size() > 1) {

@@ -236,7 +236,8 @@ class VerifyCommand final : public Command {
 void VerifyCommand::add_options(CLI::App& app) {
     app.add_option("DIR", folder_, "folder of a finished export")->type_name("");
     app.option_defaults()->group(help_group::input);
-    app.add_option("--sample", sample_, "number of frames to recompute; 0 to 1000000, or all, with animations (default: 8)")
+    app.add_option("--sample", sample_,
+                   "number of frames to recompute; 0 to 1000000, or all, with animations (default: 8)")
         ->type_name("NUMBER");
     app.add_option("--seed", seed_, "seed that selects these frames; 0 to 2147483647 (default: 0)")
         ->type_name("NUMBER");

@@ -119,10 +119,11 @@ ExrPart plain_part(MapKind map, const Frame& frame, int number, const ExportOpti
                             static_cast<double>(water.first_z) * water.texel_m};
     ExrPart part = empty_part(of, frame, number, options.times, maps);
     part.side = grid.side;
-    ExrLayer layer{.channels = {}, .sample = exr_sample(maps.sample_of(map)), .image_of = [&frame, &maps, is_foam](int) {
-                       return is_foam ? without_bytes(foam_patch_image(frame, maps))
-                                      : dynamic_waves_map_image(frame.dynamic_waves, maps);
-                   }};
+    const auto image_of = [&frame, &maps, is_foam](int) {
+        return is_foam ? without_bytes(foam_patch_image(frame, maps))
+                       : dynamic_waves_map_image(frame.dynamic_waves, maps);
+    };
+    ExrLayer layer{.channels = {}, .sample = exr_sample(maps.sample_of(map)), .image_of = image_of};
     for (const ChannelMeaning& channel : channel_meanings(of.map, maps)) layer.channels.emplace_back(channel.channel);
     part.layers.push_back(std::move(layer));
     for (auto& [name, value] : part.attributes) {

@@ -34,12 +34,13 @@ void Progress::show(std::size_t done) {
 
 void Progress::show(const std::string& doing, double fraction) {
     const auto now = Clock::now();
-    if (!on_terminal_ || now - start_ < delay_ || (now - last_shown_ < std::chrono::milliseconds(100) && fraction < 1)) return;
+    const bool is_recent = now - last_shown_ < std::chrono::milliseconds(100) && fraction < 1;
+    if (!on_terminal_ || now - start_ < delay_ || is_recent) return;
     last_shown_ = now;
-    std::fprintf(stderr, "\r\033[K%s, %.0f %%", doing.c_str(), std::floor(100 * fraction));
+    std::fprintf(stderr, "\r\033[K%s", doing.c_str());
     if (fraction > 0) {
         const double elapsed = std::chrono::duration<double>(now - start_).count();
-        std::fprintf(stderr, ", %.0f s left", elapsed * (1 - fraction) / fraction);
+        std::fprintf(stderr, ", %.0f %%, %.0f s left", std::floor(100 * fraction), elapsed * (1 - fraction) / fraction);
     }
     std::fflush(stderr);
 }

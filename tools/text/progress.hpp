@@ -20,7 +20,7 @@ class Progress {
 
     void show(std::size_t done);
     /// Shows a description and a percentage.
-    /// \param fraction  completed fraction of the work, 0 to 1
+    /// \param fraction  completed fraction of the work, 0 to 1; 0 shows no percentage
     void show(const std::string& doing, double fraction);
     /// Clears the line, for other output on the terminal.
     void clear();
