@@ -26,7 +26,7 @@ ShoreOptions shore_options_of(const pelagic_shore_options* options) {
                       .metres_a_sample = from.metres_a_sample,
                       .resolution = from.resolution,
                       .fade_m = from.fade_m,
-                      .swash_m = from.swash_m};
+                      .swash_m = from.swash_m == 0 ? -1 : from.swash_m};
     // Read heights only if the counts are valid.
     constexpr int max = ShoreOptions::max_samples_a_side;
     if (from.columns >= 2 && from.columns <= max && from.rows >= 2 && from.rows <= max) {
@@ -50,7 +50,6 @@ pelagic_status pelagic_shore_defaults(pelagic_shore_options* options) {
         pelagic_shore_options out{};
         out.resolution = ours.resolution;
         out.metres_a_sample = ours.metres_a_sample;
-        out.swash_m = ours.swash_m;
         write_struct(out, options);
     });
 }

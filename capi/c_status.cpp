@@ -36,8 +36,11 @@ pelagic_status failure(pelagic_status status, const char* reason) noexcept {
 }
 
 pelagic_status rejected(const char* reason) noexcept {
-    constexpr std::pair<std::string_view, std::string_view> names[] = {{"OceanOptions::", "pelagic_ocean_options."},
-                                                                       {"WaterFrame::", "pelagic_water_frame."}};
+    constexpr std::pair<std::string_view, std::string_view> names[] = {
+        {"OceanOptions::", "pelagic_ocean_options."},
+        {"WaterFrame::", "pelagic_water_frame."},
+        {"[0, 30], or -1: chosen", "(0, 30], or 0: derived"},     // wave_height_m
+        {"[0, 10], or -1: derived", "(0, 10], or 0: derived"}};  // swash_m
     try {
         std::string text = reason;
         for (const auto& [ours, of_c] : names)

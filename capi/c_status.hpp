@@ -18,7 +18,7 @@ namespace pelagic::capi {
 /// and returns `status`. Allocates nothing, so it also works when memory is exhausted.
 pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
-/// As failure(), with the names of C for those of C++: "OceanOptions::foam" becomes
+/// As failure(), with the names and ranges of C for those of C++: "OceanOptions::foam" becomes
 /// "pelagic_ocean_options.foam".
 pelagic_status rejected(const char* reason) noexcept;
 

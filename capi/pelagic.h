@@ -811,7 +811,8 @@ PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast*
  * The ocean keeps the last two changes: frames of earlier times show the oldest sea that it has.
  * The call takes about 2 ms. A change from before the frame that was scheduled last starts at that
  * frame's time, so that the water does not jump; pelagic_ocean_frame_at() with a frame completed
- * before does not count.
+ * before does not count. That time differs between peers: schedule changes that begin after every
+ * peer's frame.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for an invalid change, and for an ocean with a shore;
  *   PELAGIC_WRONG_ORDER between pelagic_ocean_schedule_sea() and pelagic_ocean_complete_sea().
@@ -1094,7 +1095,7 @@ typedef struct pelagic_shore_options {
     /* Width of the strip along the edges over which the coarsest cascade fades; at most half of the
      * shorter side. 0: an eighth of it. */
     double fade_m;
-    double swash_m; /* maximum height that waves reach on dry sand; [0, 10]; 0: from sea and slope */
+    double swash_m; /* maximum height that waves reach on dry sand; (0, 10]; 0: from sea and slope */
 } pelagic_shore_options;
 
 /* Sets every field but struct_size: no samples, 1 m between them, 256 texels, a derived swash.

@@ -30,11 +30,11 @@ struct ShoreOptions {
     /// Width of the strip along the edges over which the coarsest cascade fades into waves over the
     /// floor; [0, half of the shorter side]. 0: an eighth of it.
     double fade_m = 0;
-    /// Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0:
+    /// Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. -1:
     /// the height that 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant
     /// wave height and peak period and the median slope at the waterline. Waves in the water do not
     /// depend on it.
-    double swash_m = 0;
+    double swash_m = -1;
 };
 
 /// Returns the table of the numeric options.

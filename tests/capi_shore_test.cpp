@@ -94,6 +94,23 @@ TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
     EXPECT_EQ(height, expected_height);
 }
 
+TEST_F(CInterfaceShore, ASwashOf0IsDerived) {
+    auto options = sized<pelagic_shore_options>();
+    ASSERT_EQ(pelagic_shore_defaults(&options), PELAGIC_OK);
+    EXPECT_EQ(options.swash_m, 0);
+    options = shore();
+    options.swash_m = 0;
+    const COcean ocean = ocean_of(stack_sea(2), with(&options));
+    complete(ocean, 3.25);
+    std::uint64_t hash = 0;
+    ASSERT_EQ(pelagic_ocean_shore_hash(ocean.get(), &hash), PELAGIC_OK);
+    for (const double swash_m : {-1.0, 0.0}) {
+        ours.swash_m = swash_m;
+        Ocean expected({.cascades = 2, .resolution = 32}, {.executor = make_serial_executor(), .shore = ours});
+        EXPECT_EQ(hash == shore_hash_of(expected.frame_at(3.25)), swash_m == -1) << swash_m;
+    }
+}
+
 TEST_F(CInterfaceShore, InvalidOptionsAreNamed) {
     pelagic_shore_options wrong = shore();
     wrong.columns = 1;
@@ -103,7 +120,7 @@ TEST_F(CInterfaceShore, InvalidOptionsAreNamed) {
     EXPECT_EQ(refused(wrong), "shore.heights_m is NULL, expected a pointer");
     wrong = shore();
     wrong.swash_m = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(refused(wrong), "shore.swash_m nan is out of range [0, 10]");
+    EXPECT_EQ(refused(wrong), "shore.swash_m nan is out of range (0, 10], or 0: derived");
     EXPECT_EQ(refused(shore(), small_sea()),
               "cascades is 1, expected 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
 

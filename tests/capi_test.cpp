@@ -143,6 +143,7 @@ TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
         {"wind_alignment", [](pelagic_sea& sea) { sea.wind_alignment = nan; }},
         {"loop_period_s", [](pelagic_sea& sea) { sea.loop_period_s = nan; }},
         {"spreading is no known model", [](pelagic_sea& sea) { sea.spreading = 4; }},
+        {"wave_height_m 31 is out of range (0, 30], or 0: derived", [](pelagic_sea& sea) { sea.wave_height_m = 31; }},
         {"swell_height_m 31 is out of range [0, 30]", [](pelagic_sea& sea) { sea.swell_height_m = 31; }},
         {"swell_period_s 0.5 is out of range [1, 40]", [](pelagic_sea& sea) { sea.swell_period_s = 0.5; }},
         {"swell_direction_rad", [](pelagic_sea& sea) { sea.swell_direction_rad = nan; }},

@@ -256,9 +256,21 @@ TEST(Swash, ReachesTheRunUpOf2PercentOfTheWaves) {
     EXPECT_NEAR(r2_m / (0.043 * std::sqrt(of.hs_m * of.wavelength_m)), 1, 0.2);
 }
 
+TEST(Swash, Of0EndsWavesAtTheWaterline) {
+    SwashSea of;
+    of.shore.swash_m = 0;
+    Ocean ocean(of.sea, {.executor = make_serial_executor(), .shore = of.shore});
+    for (const double time_s : {0.0, 100.0, 200.0, 300.0}) {
+        const ShoreSurface& shown = ocean.frame_at(time_s).shore;
+        for (std::size_t texel = 0; texel < shown.height_m.size(); ++texel)
+            if (shown.depth_m[texel] < 0)
+                EXPECT_LT(std::fabs(shown.height_m[texel]), 1e-5f) << shown.depth_m[texel];
+    }
+}
+
 TEST(Swash, DoesNotLiftWavesInTheWater) {
     SwashSea of;
-    for (const double swash_m : {0.0, 1.0, 3.0}) {
+    for (const double swash_m : {-1.0, 0.0, 1.0, 3.0}) {
         of.shore.swash_m = swash_m;
         Ocean ocean(of.sea, {.executor = make_serial_executor(), .queries = true, .shore = of.shore});
         std::vector<double> x, z;

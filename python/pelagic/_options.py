@@ -114,8 +114,8 @@ class ShoreOptions:
     fade_m: float = 0.0
     """Width of the transition to the open sea along the field's edges;
     [0, half the field's shorter side]. 0: an eighth of that side."""
-    swash_m: float = 0.0
-    """Maximum height of swash on dry sand; [0, 10]. 0: from the sea and the slope."""
+    swash_m: float = -1.0
+    """Maximum height of swash on dry sand; [0, 10], or -1: derived from the sea and the slope."""
 
     def __post_init__(self) -> None:
         _pelagic.check_shore_options(self)

@@ -33,7 +33,7 @@ constexpr std::array shore_field_table = {
     NumericField<ShoreOptions>{"resolution", &ShoreOptions::resolution, 64, 1024, "64, 128, 256, 512 or 1024",
                                Among::powers_of_two},
     NumericField<ShoreOptions>{"fade_m", &ShoreOptions::fade_m, 0, 1e8, "[0, half the field's shorter side]"},
-    NumericField<ShoreOptions>{"swash_m", &ShoreOptions::swash_m, 0, 10, "[0, 10]"},
+    NumericField<ShoreOptions>{"swash_m", &ShoreOptions::swash_m, 0, 10, "[0, 10], or -1: derived", Among::all, -1},
 };
 
 }  // namespace

@@ -192,8 +192,8 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     double variance = 0;
     for (const double of_cascade : bake_->variances) variance += of_cascade;
     const double slope = waterline_slope(bed_), peak_m = WaveReach::of(sea).peak_m;
-    swash_m_ = options.swash_m;
-    if (swash_m_ == 0 && peak_m > 0)
+    swash_m_ = std::max(options.swash_m, 0.0);
+    if (options.swash_m < 0 && peak_m > 0)
         swash_m_ = run_up_of_2_percent(4 * std::sqrt(variance),
                                        peak_m / det::tanh(two_pi / peak_m * sea.depth_m), slope);
     // Twice the length of the run-up, and no plain of any width.

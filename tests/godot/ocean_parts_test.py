@@ -39,7 +39,7 @@ refused = [
     ("property", "dynamic_waves_step", "euler", "dynamic_waves_step is euler, expected spectral or verlet"),
     ("property", "dynamic_waves_ticks_per_s", 60.5, "dynamic_waves_ticks_per_s 60.5 is out of range [10, 240]"),
     ("property", "shore_columns", 1, "shore_columns is 1, expected 2 to 4096"),
-    ("property", "shore_swash_m", -1, "shore_swash_m -1 is out of range [0, 10]"),
+    ("property", "shore_swash_m", -2, "shore_swash_m -2 is out of range [0, 10], or -1: derived"),
     ("property", "shore_heights_m", 3, "shore_heights_m is 3, expected a PoolRealArray"),
     ("method", "add_impulse", [{**stone, "radius_m": 0}], "radius_m 0 is out of range [0.001, 1000]"),
     ("method", "add_impulse", [{**stone, "radius_m": "wide"}], "radius_m wide is out of range [0.001, 1000]"),

@@ -166,7 +166,7 @@ with tempfile.TemporaryDirectory() as work:
     assert without == ["foam", "velocities", "time_s", "playing", "dynamic_waves", "shore_heights_m", "ocean",
                        "centre_of_mass_m", "inertia_kgm2", "force_n", "torque_nm", "wind_mps", "wake"], without
     defaults = dict(words.split(" ", 1) for words in node["default"])
-    cells = [[cell.strip() for cell in line.split("|")] for line in reference.splitlines() if re.match(r"\| `\w+` \|.*\| [0-9.]+ \|$", line)]
+    cells = [[cell.strip() for cell in line.split("|")] for line in reference.splitlines() if re.match(r"\| `\w+` \|.*\| -?[0-9.]+ \|$", line)]
     assert len(cells) > 20, cells
     for _, name, *_, default, _ in cells:
         assert float(default) == float(defaults[name.strip("`")]), (name, default, defaults)

@@ -641,7 +641,7 @@ namespace Pelagic
         /// shorter side. 0: an eighth of it.
         /// </summary>
         public double FadeM;
-        /// <summary>maximum height that waves reach on dry sand; [0, 10]; 0: from sea and slope</summary>
+        /// <summary>maximum height that waves reach on dry sand; (0, 10]; 0: from sea and slope</summary>
         public double SwashM;
 
         private void CopyTo(ref Native.pelagic_shore_options native)

@@ -216,7 +216,7 @@ export interface ShoreOptions {
    * side]. Default 0: an eighth of that side.
    */
   fadeM?: number;
-  /** Maximum height that waves reach on dry sand, metres: [0, 10]. Default 0: from sea and slope. */
+  /** Maximum height that waves reach on dry sand, metres: [0, 10], or -1: derived. Default -1. */
   swashM?: number;
 }
 
