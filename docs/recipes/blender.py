@@ -3,8 +3,8 @@
 #
 #   blender -b --python-exit-code 1 -P blender.py -- FOLDER IMAGE.png
 #
-# FOLDER is an export with --maps displacement,foam. In the window: Scripting, open this file, set
-# the two names.
+# FOLDER is an export with --patch-size 300 --maps displacement,foam: one cascade. In the window:
+# Scripting, open this file, set the two names.
 import json
 import math
 import sys
@@ -17,7 +17,7 @@ folder = Path(folder).resolve()
 record = json.loads((folder / "sea.json").read_text())
 for name in ("displacement_0000.exr", "foam_0000.png"):
     if not (folder / name).exists():
-        sys.exit(f"{folder} has no {name}; export with --maps displacement,foam")
+        sys.exit(f"{folder} has no {name}; export with --patch-size 300 --maps displacement,foam")
 N = record["sea"]["resolution"]
 L = record["sea"]["patch_size_m"]
 frames = len(record["frames"])

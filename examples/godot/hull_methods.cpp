@@ -26,7 +26,7 @@ const MethodOf<HullNode> hull_method_list[] = {
      {type_real},
      "(step_s)",
      [](HullNode& hull, Arguments arguments) {
-         return hull.step(call(core::variant_as_real, arguments[0])), Value();
+         return Value(hull.step(call(core::variant_as_real, arguments[0])));
      }},
     {"info", {}, "()", [](HullNode& hull, Arguments) { return Value(hull.info()->dictionary()); }},
     {"state", {}, "()", [](HullNode& hull, Arguments) { return Value(hull.state()->dictionary()); }},

@@ -257,7 +257,7 @@ HullNode::Afloat& HullNode::needed_afloat() {
     return *afloat_;
 }
 
-void HullNode::step(double seconds) {
+bool HullNode::step(double seconds) {
     OceanNode& ocean = needed_ocean();
     const Frame* const frame = ocean.frame();
     if (!frame) throw std::invalid_argument("the ocean has invalid options, which it reported");
@@ -273,9 +273,10 @@ void HullNode::step(double seconds) {
         if (makes_wake_in)
             use_waves_of(makes_wake_in, afloat(now.hull, now.bodies->state(number), ocean.dynamic_waves_or_null()));
     }
-    needed_afloat().bodies->step(water, seconds);
-    if (waves_of_) unpressed_s_ += seconds;
+    const bool is_all = needed_afloat().bodies->step(water, seconds);
+    if (waves_of_) unpressed_s_ += std::min(seconds, longest_step_s);
     place();
+    return is_all;
 }
 
 void HullNode::place() {

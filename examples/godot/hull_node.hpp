@@ -30,6 +30,7 @@ class HullNode final : public WakeMaker {
     static constexpr const char* class_name = "PelagicHull";
 
     static constexpr double longest_pause_s = 0.25;
+    static constexpr double longest_step_s = 1;  ///< that Hull::step() takes
 
     explicit HullNode(Object* self) : self_(self) {}
     ~HullNode();
@@ -71,7 +72,8 @@ class HullNode final : public WakeMaker {
     /// Puts the hull where the node is, upright and at rest in still water.
     void launch();
     /// Advances the hull, by at most 1 s, in the ocean's frame of time_s(), and moves the node.
-    void step(double seconds);
+    /// \returns whether the hull has advanced by all of the time
+    bool step(double seconds);
     /// Returns mass, volume and draught, and whether the hull floats.
     std::unique_ptr<Table> info();
     /// Returns position and velocities of the centre of mass, and what the water did in the last

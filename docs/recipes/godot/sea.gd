@@ -1,6 +1,7 @@
-# Displays the maps of an export, in the folder waves/ beside this file, on a mesh whose vertices a
-# shader displaces. Godot has Pelagic's axes: x right, y up, right-handed. Its texture coordinates
-# count from the upper edge, like texel rows.
+# Displays the maps of an export with --patch-size 300 --maps displacement,gradient,foam (one
+# cascade), in the folder waves/ beside this file, on a mesh whose vertices a shader displaces. Godot
+# has Pelagic's axes: x right, y up, right-handed. Its texture coordinates count from the upper edge,
+# like texel rows.
 extends Spatial
 
 const PATCHES = 3

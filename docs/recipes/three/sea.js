@@ -1,5 +1,6 @@
-// Displays the maps of an export on a mesh whose vertices a shader displaces. three.js has
-// Pelagic's axes: x right, y up, right-handed.
+// Displays the maps of an export with --patch-size 300 --maps displacement,gradient,foam (one
+// cascade) on a mesh whose vertices a shader displaces. three.js has Pelagic's axes: x right, y up,
+// right-handed.
 import * as THREE from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
 import { Sky } from "three/addons/objects/Sky.js";
