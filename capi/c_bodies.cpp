@@ -103,6 +103,7 @@ pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s) {
 
 pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s, int32_t* is_all) {
     return guarded([&] {
+        if (is_all) *is_all = 0;
         FloatingBodies& ours = needed_bodies(bodies);
         const std::shared_ptr<pelagic_ocean> ocean = bodies->ocean.lock();
         const QueryFrames::Reader reader(ocean->query_frames);

@@ -159,7 +159,8 @@ class Ocean {
     /// has a shore. The call takes about 2 ms, in which it searches the new sea's spectrum.
     ///
     /// A change from before the frame that was scheduled last, except by frame_at() with buffers,
-    /// starts at that frame's time, so that the water does not jump. forecast() has the start.
+    /// starts at that frame's time, so that the water does not jump. forecast() has the start. That
+    /// time differs between peers: schedule changes that begin after every peer's frame.
     ///
     /// A frame may be in flight; it belongs to the forecast in which it was scheduled.
     /// \pre no sea is between schedule_sea(sea) and complete_sea()

@@ -279,8 +279,10 @@ TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
     ASSERT_EQ(pelagic_bodies_set_state(bodies.get(), last, &state), PELAGIC_OK);
     ASSERT_EQ(pelagic_bodies_step(bodies.get(), tick_s, nullptr), PELAGIC_OK);
     const std::vector<std::uint8_t> beyond = saved(bodies);
-    expect_rejected(pelagic_bodies_step(bodies.get(), tick_s, nullptr),
+    std::int32_t is_all = -1;
+    expect_rejected(pelagic_bodies_step(bodies.get(), tick_s, &is_all),
                     "body 3: the hull's position_m is out of range [-1e8, 1e8]");
+    EXPECT_EQ(is_all, 0);
     EXPECT_TRUE(saved(bodies) == beyond);
 
     const COcean calm = water(32, false);

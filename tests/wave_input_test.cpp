@@ -677,6 +677,22 @@ TEST(WaveInput, AnExceptionAffectsOnlyItsFrame) {
     }
 }
 
+TEST(WaveInput, AFrameThatFailsDoesNotDelayChanges) {
+    bool throws = false;
+    const auto throwing = callback([&](const InputRows&) {
+        if (throws) throw std::runtime_error("no such wave");
+    });
+    Ocean ocean(stack, with({throwing}));
+    ocean.frame_at(1);
+    std::vector<float> height(static_cast<std::size_t>(ocean.resolution()) * ocean.resolution());
+    const std::vector<FrameBuffers> buffers(ocean.cascade_count(), FrameBuffers{.height = height});
+    throws = true;
+    EXPECT_THROW(ocean.frame_at(100, buffers), std::runtime_error);
+    throws = false;
+    ocean.schedule_sea(ocean.sea(), 10, 5);
+    EXPECT_EQ(ocean.forecast().changes.back().from_s, 10);
+}
+
 TEST(WaveInput, InvalidInputsAreRejectedWithOneLine) {
     EXPECT_EQ(message_of([] {
                   Ocean ocean(stack, with({gerstner(), nullptr}));

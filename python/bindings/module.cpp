@@ -51,9 +51,10 @@ OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam
         options.executor = make_default_executor(threads);
         ocean = std::make_shared<SharedOcean>(forecast, options);
     }
-    taken.give_to(ocean);
+    // A filter may turn the warning into an exception, which destroys the ocean.
     if (const std::string warning = largest_peak_m > 0 ? warning_about(forecast) : ""; !warning.empty())
         if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 2) != 0) throw py::error_already_set();
+    taken.give_to(ocean);
     return ocean;
 }
 

@@ -651,7 +651,8 @@ class Bodies:
         schedule(); tick_s is the time since the last call. Does nothing without wakes."""
     def step(self, frame: Frame, step_s: float) -> bool:
         """Advances all bodies by a step in the water of the frame completed last. More than 0.1 s is
-        divided into equal steps. More than 1 s counts as 1 s, and the result is False then. Other threads run meanwhile. Results do not depend on the number of threads."""
+        divided into equal steps. More than 1 s counts as 1 s, and the result is False then. Other
+        threads run meanwhile. Results do not depend on the number of threads."""
     def save_state(self) -> bytes:
         """Returns everything that later steps depend on. Call it like DynamicWaves.save_state(),
         before the first command of a tick."""

@@ -351,10 +351,11 @@ FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> cascade
     const Frame* const completed = state_->completed;
     const double now_s = state_->now_s;
     require(check(cascades, cascade_count(), resolution(), state_->frames.contents()));
-    const Frame& frame = frame_at(time_s);
+    state_->begin_frame(time_s, {}, false);
+    state_->now_s = now_s;
+    const Frame& frame = complete();
     copy_frame(frame, cascades);
     state_->completed = completed;
-    state_->now_s = now_s;
     state_->frames.drop_frame();
     if (state_->dynamic_waves) state_->dynamic_waves->drop_frame();
     if (state_->shore) state_->shore->drop_frame();

@@ -430,6 +430,7 @@ SeaReport expected_report_on(const SeaState& sea) {
 }
 
 double period_in_loop_s(double period_s, double loop_period_s) {
+    const DefaultFloatEnvironment environment;
     return loop_period_s / loop_harmonic(two_pi / period_s, loop_period_s);
 }
 

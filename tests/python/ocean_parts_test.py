@@ -284,7 +284,10 @@ def test_wave_inputs_add_their_waves(small):
              pelagic.RippleInput(pelagic.Ripple(**flat, x_m=125, z_m=125))]
     with pytest.raises(ValueError):
         pelagic.Ocean(small, threads=2000, inputs=again)
-    # free, because that ocean was not created
+    with warnings.catch_warnings(), pytest.raises(UserWarning, match="hold no waves shorter than"):
+        warnings.simplefilter("error")
+        pelagic.Ocean(pelagic.Sea(resolution=64), largest_peak_m=2000, inputs=again)
+    # free, because those oceans were not created
     with pelagic.Ocean(small, threads=1, inputs=again) as ocean:
         assert ocean.frame_at(3).hash == both
 
