@@ -248,6 +248,7 @@ class Hull {
                        const HullInputs& inputs, HullWorkspace& workspace) const;
     /// What step() divides a time into.
     struct Steps {
+        /// \pre step_s is at least 0
         explicit Steps(double step_s);
         int count;
         double each_s;

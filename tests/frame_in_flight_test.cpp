@@ -111,7 +111,7 @@ TEST(FrameInFlight, RandomChangesEqualTheSerialOrder) {
             Step step{time_s, {}};
             for (std::size_t more = random() % 3; more > 0; --more) {
                 SeaChange change{.sea = windy(static_cast<int>(random() % 77)),
-                                 .from_s = over_s + uniform(0, 0.1),
+                                 .from_s = std::max(over_s, time_s) + uniform(0, 0.1),
                                  .over_s = uniform(0.01, random() % 4 == 0 ? 2 : 0.1)};
                 over_s = change.end_s();
                 step.changes.push_back(change);

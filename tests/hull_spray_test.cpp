@@ -306,7 +306,7 @@ TEST(HullSpray, InvalidInputIsRefusedInOneLine) {
     HullWorkspace workspace;
     const StillWater water;
     HullState state = hull.at_rest(0, 0);
-    EXPECT_THROW(thrown.update(water.query(), state, {}, 0, workspace), std::invalid_argument);
+    EXPECT_THROW(thrown.update(water.query(), state, {}, -1, workspace), std::invalid_argument);
     state.position_m.x = NAN;
     EXPECT_THROW(thrown.update(water.query(), state, {}, 0.1, workspace), std::invalid_argument);
 }

@@ -334,7 +334,8 @@ TEST(Hull, ATumblingHullKeepsItsAngularMomentum) {
 // A symmetric top without torque: its axis turns about the angular momentum L at L / I, with the
 // moment of inertia I across the axis (L. Landau, E. Lifshitz, Mechanics, section 33).
 TEST(Hull, AFreeTopPrecesses) {
-    const Hull top(box_mesh({4, 1, 1}), {.mass_kg = 1000, .inertia_kgm2 = glm::dvec3(500, 1500, 1500), .air_density_kgpm3 = 0});
+    const Hull top(box_mesh({4, 1, 1}),
+                   {.mass_kg = 1000, .inertia_kgm2 = glm::dvec3(500, 1500, 1500), .air_density_kgpm3 = 0});
     HullState state = top.at_rest(0, 0);
     state.position_m.y = 5000;
     state.angular_velocity_radps = {4, 1, 0};
@@ -438,7 +439,7 @@ TEST(Hull, TheWaterTurnsWithTheSlopeOfABeamSea) {
         water.set_wave(amplitude, 2, time_s);
         HullState state = hull.at_rest(0, 0, std::numbers::pi / 2);
         const HullLoads loads = hull.loads(water.query(), state, hull_step_s, {}, workspace);
-        // h = a cos(k x - omega t): dh/dx changes at d/dt (-a k sin(k x - omega t)) = a k omega cos(omega t) at 0
+        // h = a cos(k x - omega t), so dh/dx = -a k sin(k x - omega t), which changes at x = 0 by this
         const double slope_change = amplitude * k * omega * std::cos(omega * time_s);
         // a rotation about z lifts points at +x
         EXPECT_NEAR(loads.water_rotation_radps.z, slope_change, 0.05 * amplitude * k * omega) << time_s;

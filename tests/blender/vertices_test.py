@@ -34,10 +34,10 @@ def add(preset, **settings):
 # Options as typed in the panel and on the command line. Some numbers are not exact in a float.
 oceans = {
     "moderate": (add("moderate"), ["--preset", "moderate"], {}),
-    "typed": (add("swell", wind_speed=9.3, wind_direction=math.radians(33.3), fetch=81234.5, depth=37.7, choppiness=0.77, wind_alignment=0.31,
+    "typed": (add("swell", wind_speed=9.3, wind_direction=math.radians(33.3), fetch=81234.5, depth=37.7, choppiness=0.77,
                   short_wave_cutoff=0.1, swell_height=1.3, swell_period=10.7, swell_direction=math.radians(-123.4),
                   swell_spread=math.radians(21.5), seed=77, loop_period=91.7, spreading="hasselmann", size=41.3, velocity=True),
-              "--preset swell --wind-speed 9.3 --wind-direction 33.3 --fetch 81234.5 --depth 37.7 --choppiness 0.77 --wind-alignment 0.31 "
+              "--preset swell --wind-speed 9.3 --wind-direction 33.3 --fetch 81234.5 --depth 37.7 --choppiness 0.77 "
               "--short-wave-cutoff 0.1 --swell-height 1.3 --swell-period 10.7 --swell-direction -123.4 --swell-spread 21.5 --seed 77 "
               "--loop-period 91.7 --spreading hasselmann".split(), {}),
     "one cascade": (add("rough", cascade_side=250, cascade_resolution="128", size=250, foam=False), "--preset rough --patch-size 250 --resolution 128".split(), {}),

@@ -34,7 +34,7 @@ sea = {"cascades": 2, "resolution": 32, "wind_speed_mps": 8, "velocities": True,
        "dynamic_waves_resolution": 64, "dynamic_waves_side_m": 32, "dynamic_waves_border_m": 6}
 still_sea = {**sea, "cascades": 1, "patch_size_m": 100, "wind_speed_mps": 0.01}
 cases = [{"name": "ticks", "frames": 200, "steps": 1}, {"name": "slow", "frames": 66, "steps": 3}]
-appended = 32  # bytes of the node after those of the C interface
+appended = 8  # bytes of the node after those of the C interface
 
 
 class CInterface(CBodies):
