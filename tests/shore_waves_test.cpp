@@ -263,8 +263,9 @@ TEST(Swash, Of0EndsWavesAtTheWaterline) {
     for (const double time_s : {0.0, 100.0, 200.0, 300.0}) {
         const ShoreSurface& shown = ocean.frame_at(time_s).shore;
         for (std::size_t texel = 0; texel < shown.height_m.size(); ++texel)
-            if (shown.depth_m[texel] < 0)
+            if (shown.depth_m[texel] < 0) {
                 EXPECT_LT(std::fabs(shown.height_m[texel]), 1e-5f) << shown.depth_m[texel];
+            }
     }
 }
 
