@@ -184,7 +184,8 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
     hull_m_ = state.position_m;
     const glm::dvec3 velocity_mps = (pressure_m_ - pressure_before_m) / step_s;
     const glm::dvec3 middle = middle_of_plan_m(state);
-    // At the middle of the next tick.
+    // The frame after the next tick shows that tick's water, whose hollow lies half a tick ahead of
+    // the pressure.
     const double ahead_s = (1.5 - now.fraction) / waves_->options().ticks_per_s;
     next_.x_m = pressure_m_.x + middle.x + ahead_s * velocity_mps.x;
     next_.z_m = pressure_m_.z + middle.z + ahead_s * velocity_mps.z;

@@ -253,8 +253,8 @@ TEST(HullWake, ThePressureReturnsToTheHull) {
         water.ocean.schedule(++water.tick * water.tick_s);
         return water.wake.footprint();
     };
-    // Without a velocity the footprint lies at the pressure.
-    const auto away_m = [&](const PressureFootprint& of) { return of.x_m; };
+    // the footprint is that of a tick and a half later
+    const auto away_m = [&](const PressureFootprint& of) { return of.x_m - 1.5 * water.tick_s * of.velocity_x_mps; };
     const double middle_m = away_m(press(0));
     double first = 0, last = 0;
     for (int i = 0; i < 60; ++i) first = away_m(press(1)) - middle_m;
