@@ -64,7 +64,7 @@ static pelagic_status make_hull(const boat* of, pelagic_hull** hull) {
     pelagic_hull_defaults(&options);
     options.mass_kg = of->mass_kg;
     options.skeg_m2 = of->length_m * of->length_m / 100;
-    options.skeg_x_m = -0.4 * of->length_m;
+    options.skeg_x_m = -of->length_m * 2 / 5;
     if (of->centre_of_mass_m[1] != 0) options.centre_of_mass_m = of->centre_of_mass_m;
     return pelagic_hull_create(&mesh, &options, hull);
 }

@@ -61,9 +61,9 @@ def test_boats_move_as_in_the_example_in_cpp():
     program = Path(os.environ["PELAGIC"]).with_name("boat")
     lines = subprocess.run([program, "1"], capture_output=True, text=True, check=True).stdout.splitlines()
     kinds = {
-        "dinghy": pelagic.Hull(*boat_mesh(4, 1.7, 0.8), 350),
-        "yacht": pelagic.Hull(*boat_mesh(12, 4, 2.5), 14000, centre_of_mass_m=(-1, 1, 0)),
-        "ship": pelagic.Hull(*boat_mesh(60, 14, 9), 1200000, centre_of_mass_m=(-5, 4, 0)),
+        "dinghy": pelagic.Hull(*boat_mesh(4, 1.7, 0.8), 350, skeg_m2=0.16, skeg_x_m=-1.6),
+        "yacht": pelagic.Hull(*boat_mesh(12, 4, 2.5), 14000, centre_of_mass_m=(-1, 1, 0), skeg_m2=1.44, skeg_x_m=-4.8),
+        "ship": pelagic.Hull(*boat_mesh(60, 14, 9), 1200000, centre_of_mass_m=(-5, 4, 0), skeg_m2=36, skeg_x_m=-24),
     }
     here = ["time_s,boat,heave_m,pitch_deg,roll_deg"]
     waves = pelagic.DynamicWavesOptions(resolution=512, side_m=160, border_m=20)
