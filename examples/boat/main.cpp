@@ -51,8 +51,14 @@ void print(double time_s, const Boat& boat, const HullState& state) {
 void sail(double seconds) {
     const Boat boats[] = {
         {"dinghy", Hull(boat_mesh(4, 1.7, 0.8), {.mass_kg = 350, .skeg_m2 = 0.16, .skeg_x_m = -1.6})},
-        {"yacht", Hull(boat_mesh(12, 4, 2.5), {.mass_kg = 14'000, .centre_of_mass_m = glm::dvec3(-1, 1, 0), .skeg_m2 = 1.44, .skeg_x_m = -4.8})},
-        {"ship", Hull(boat_mesh(60, 14, 9), {.mass_kg = 1'200'000, .centre_of_mass_m = glm::dvec3(-5, 4, 0), .skeg_m2 = 36, .skeg_x_m = -24})},
+        {"yacht", Hull(boat_mesh(12, 4, 2.5), {.mass_kg = 14'000,
+                                               .centre_of_mass_m = glm::dvec3(-1, 1, 0),
+                                               .skeg_m2 = 1.44,
+                                               .skeg_x_m = -4.8})},
+        {"ship", Hull(boat_mesh(60, 14, 9), {.mass_kg = 1'200'000,
+                                             .centre_of_mass_m = glm::dvec3(-5, 4, 0),
+                                             .skeg_m2 = 36,
+                                             .skeg_x_m = -24})},
     };
     // 12 texels along the dinghy, and room for the ship.
     Ocean ocean(storm(), {.queries = true,
