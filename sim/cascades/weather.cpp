@@ -261,8 +261,12 @@ void Weather::adopt(Sources sources) {
     const WindDrift wind = wind_drift(baked), usual = usual_foam_drift(baked);
     sums.drift_x_mps += wind.x_mps;
     sums.drift_z_mps += wind.z_mps;
-    const double drift_of_usual = (sums.drift_x_mps * usual.x_mps + sums.drift_z_mps * usual.z_mps) /
-                                  (usual.x_mps * usual.x_mps + usual.z_mps * usual.z_mps);
+    const double usual_square = usual.x_mps * usual.x_mps + usual.z_mps * usual.z_mps;
+    constexpr double no_drift_m2ps2 = 1e-12;
+    const double drift_of_usual =
+        usual_square > no_drift_m2ps2
+            ? (sums.drift_x_mps * usual.x_mps + sums.drift_z_mps * usual.z_mps) / usual_square
+            : 1;
     const double tick_s = TickClock(baked.loop_period_s).tick_s();
     for (std::size_t cascade = 0; cascade < sources.size(); ++cascade) {
         const StatisticsByBand* const bands = sources[cascade]->statistics_by_band(place);
