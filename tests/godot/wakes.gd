@@ -79,7 +79,7 @@ func test_restored():
 	hulls[0].restore_state(before.subarray(0, before.size() - 34))
 	hulls[0].restore_state(before.subarray(0, 20))
 	var damaged = before
-	damaged[damaged.size() - 25] = 255 # the sign of the seconds
+	damaged[damaged.size() - 1] = 255 # the sign of the seconds
 	hulls[0].restore_state(damaged)
 	hulls[0].restore_state(bytes_in("two"))
 	hulls[0].restore_state(bytes_in("dry"))
