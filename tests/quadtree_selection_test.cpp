@@ -79,7 +79,7 @@ TEST(Selection, MatchesTheRuleOnTheWholeTree) {
     }
 }
 
-#if !defined(__wasm__)  // WebAssembly has one rounding mode
+#if defined(__x86_64__)  // compilers for Arm move the arithmetic of short functions over the change of mode
 TEST(Selection, DoesNotDependOnTheCallersRoundingMode) {
     // of each patch: its place, stitches and morph weights
     const auto draws = [](int mode) {
