@@ -32,7 +32,7 @@ constexpr Node nodes[] = {{0.11270166537925831, 5.0 / 18}, {0.5, 8.0 / 18}, {0.8
 /// Returns the approximate level of a Gaussian with this tail probability, if it is small. The
 /// result is nearly linear in the level. The cover of an area leaves [0, 1] where a sea folds over
 /// itself, because the contraction there is that of small waves.
-double rarity(double cover) { return std::sqrt(-2 * det::log(std::clamp(cover, 1e-9, 1.0))); }
+double rarity(double cover) { return std::sqrt(-2 * det::log(std::clamp(cover, 1e-300, 1.0))); }
 
 /// Returns k at an age of [0, 15] ticks.
 double at_age(const FoamAccumulation::Contraction& contraction, double ticks) {

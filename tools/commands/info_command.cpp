@@ -19,7 +19,6 @@
 #include "pelagic/tools/benchmark/stage_work.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/commands/idle_ocean.hpp"
-#include "pelagic/tools/export/export_summary.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/compute_options.hpp"

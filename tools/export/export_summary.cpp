@@ -1,6 +1,5 @@
 #include "pelagic/tools/export/export_summary.hpp"
 
-#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -28,13 +27,6 @@ std::string warning_about_loop(const ExportOptions& options) {
 }
 
 }  // namespace
-
-std::string peak_period_text(double period_s, double loop_period_s, int digits) {
-    const double looped_s = period_in_loop_s(period_s, loop_period_s);
-    const std::string text = rounded_text(period_s, digits) + " s";
-    return std::fabs(period_s / looped_s - 1) > 0.1 ? text + ", in this loop " + rounded_text(looped_s, digits) + " s"
-                                                    : text;
-}
 
 void print_summary(std::FILE* to, const ExportOptions& options, const ExportSummary& summary) {
     std::fprintf(to, "%s: ", escaped(options.folder.string()).c_str());

@@ -22,8 +22,4 @@ void print_summary(std::FILE* to, const ExportOptions& options, const ExportSumm
 /// a shard; the merge prints them.
 void print_notes(const ExportOptions& options);
 
-/// Returns "6.6 s", or "6.6 s, in this loop 4 s" if a loop of whole periods changes it by more than a
-/// tenth, of which warnings_about() warns.
-std::string peak_period_text(double period_s, double loop_period_s, int digits);
-
 }  // namespace pelagic::tools

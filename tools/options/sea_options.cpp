@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/options/config_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
@@ -451,6 +452,13 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config, Sea
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(named_as_flags(reason));
     store_defaults(resolved.sea);
     return resolved;
+}
+
+std::string peak_period_text(double period_s, double loop_period_s, int digits) {
+    const double looped_s = period_in_loop_s(period_s, loop_period_s);
+    const std::string text = rounded_text(period_s, digits) + " s";
+    return std::fabs(period_s / looped_s - 1) > 0.1 ? text + ", in this loop " + rounded_text(looped_s, digits) + " s"
+                                                    : text;
 }
 
 }  // namespace pelagic::tools

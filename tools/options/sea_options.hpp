@@ -112,4 +112,8 @@ class SeaOptions {
     std::map<std::string, std::optional<std::string>> typed_;  ///< command-line values by flag
 };
 
+/// Returns "6.6 s", or "6.6 s, in this loop 4 s" if a loop of whole periods changes it by more than a
+/// tenth, of which warnings_about() warns.
+std::string peak_period_text(double period_s, double loop_period_s, int digits);
+
 }  // namespace pelagic::tools
