@@ -73,6 +73,9 @@ bool FloatingHulls::step(const SurfaceQuery& water, std::span<FloatingHull> hull
     const Hull::Steps steps(step_s);
     state_->step_s = steps.each_s;
     state_->hulls_a_job = std::max<std::size_t>(1, (hulls.size() + jobs - 1) / jobs);
+    // as in Hull::step()
+    if (steps.count > 1)
+        for (FloatingHull& floating : hulls) floating.state.has_previous_step = false;
     for (int i = 0; i < steps.count; ++i) state_->graph_run->run();
     return steps.are_all;
 }

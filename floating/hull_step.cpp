@@ -5,6 +5,7 @@
 
 #include "pelagic/floating/hull.hpp"
 #include "pelagic/floating/matrix6.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -113,8 +114,12 @@ bool Hull::step(const SurfaceQuery& water, HullState& state, double step_s, cons
                 HullWorkspace& workspace) const {
     const DefaultFloatEnvironment environment;
     check_step(water, step_s);
+    require(check(state));
+    require(check(inputs));
     const Steps steps(step_s);
     HullState end = state;
+    // The frame does not show how the water moves in the parts of a step.
+    if (steps.count > 1) end.has_previous_step = false;
     for (int i = 0; i < steps.count; ++i) {
         drift(end, 0.5 * steps.each_s);
         const HullLoads forces = loads(water, end, steps.each_s, inputs, workspace);

@@ -120,7 +120,7 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
         footprint.depth_m[i] = static_cast<float>(std::clamp(before + part * (now - before), 0.0, deepest_m));
         pressed += footprint.depth_m[i] * cell_m2;
     }
-    // A hull in the air presses on nothing. Steep water around it can push it down.
+    // A hull in the air presses on nothing. Steep water can make the displaced volume negative.
     const double displaced = std::max(loads.displaced_m3, 0.0);
     if (pressed > displaced)
         for (float& depth : footprint.depth_m) depth = static_cast<float>(depth * (displaced / pressed));

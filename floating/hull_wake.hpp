@@ -68,8 +68,8 @@ class HullWake {
     /// Returns the horizontal force of the last completed frame's dynamic waves on the pressure, and
     /// its torque about the vertical through the hull's centre of mass: rho g times the integral of
     /// h grad d, over the texels on which the depth d acts. It is the adjoint of how a moving pressure
-    /// makes waves, so that a hull cannot gain the energy of its own wake. Heights at the vertices of a
-    /// mesh, whose edges are longer than short waves, could drive it.
+    /// makes waves, so that a hull that moves along the surface gains no energy from its own wake.
+    /// Heights at the vertices of a mesh, whose edges are longer than short waves, could drive it.
     HullForce push(const Frame& frame, const HullState& state) const;
 
     /// Returns the pressure of the next tick.

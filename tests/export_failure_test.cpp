@@ -216,6 +216,19 @@ TEST(Progress, ShowsFramesAndRemainingTimeOnATerminal) {
     EXPECT_NE(shown.find(" s left"), std::string::npos) << shown;
 }
 
+/// Returns what a process shows until it estimates the time that is left, and kills it.
+std::string shown_until_an_estimate(int terminal, pid_t process) {
+    std::string shown;
+    char buffer[4096];
+    for (ssize_t got; shown.find(" s left") == std::string::npos &&
+                      (got = ::read(terminal, buffer, sizeof buffer)) > 0;)
+        shown.append(buffer, static_cast<std::size_t>(got));
+    ::kill(process, SIGKILL);
+    wait_for(process);
+    ::close(terminal);
+    return shown;
+}
+
 // The query would take many minutes. It is killed once its progress is shown.
 TEST(Progress, ShowsTheTimeOfALongQueryOnATerminal) {
     const TemporaryFolder folder;
@@ -230,14 +243,7 @@ TEST(Progress, ShowsTheTimeOfALongQueryOnATerminal) {
                 "--events-resolution", "1024", "--time", "80000", "--resolution", "16", nullptr);
         std::_Exit(127);
     }
-    std::string shown;
-    char buffer[4096];
-    for (ssize_t got; shown.find(" s left") == std::string::npos &&
-                      (got = ::read(terminal, buffer, sizeof buffer)) > 0;)
-        shown.append(buffer, static_cast<std::size_t>(got));
-    ::kill(process, SIGKILL);
-    wait_for(process);
-    ::close(terminal);
+    const std::string shown = shown_until_an_estimate(terminal, process);
     EXPECT_NE(shown.find(" of 80000 s, "), std::string::npos) << shown;
     EXPECT_NE(shown.find(" s left"), std::string::npos) << shown;
 }
@@ -247,7 +253,7 @@ TEST(Progress, ShowsTheFractionOfManyPointsOnATerminal) {
     const TemporaryFolder folder;
     const std::string points = (folder / "points.csv").string();
     std::string text;
-    for (int i = 0; i < 10'000'000; ++i) text += "1,2\n";
+    for (int i = 0; i < 30'000'000; ++i) text += "1,2\n";
     write_file(points, text);
     int terminal = -1;
     const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
@@ -258,16 +264,10 @@ TEST(Progress, ShowsTheFractionOfManyPointsOnATerminal) {
             ::execl(tested_binary, "pelagic", "query", "--points", points.c_str(), "--foam", "--json", nullptr);
         std::_Exit(127);
     }
-    std::string shown;
-    char buffer[4096];
-    for (ssize_t got; shown.find(" s left") == std::string::npos &&
-                      (got = ::read(terminal, buffer, sizeof buffer)) > 0;)
-        shown.append(buffer, static_cast<std::size_t>(got));
-    ::kill(process, SIGKILL);
-    wait_for(process);
-    ::close(terminal);
+    const std::string shown = shown_until_an_estimate(terminal, process);
     EXPECT_NE(shown.find("point "), std::string::npos) << shown;
     EXPECT_NE(shown.find(" %, "), std::string::npos) << shown;
+    EXPECT_NE(shown.find(" s left"), std::string::npos) << shown;
 }
 
 }  // namespace

@@ -9,8 +9,6 @@
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
-namespace {}
-
 SlopeVariance measured_slopes(double wind_speed_mps) {
     const DefaultFloatEnvironment environment;
     return {0.00316 * wind_speed_mps, 0.003 + 0.00192 * wind_speed_mps};
