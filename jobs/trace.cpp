@@ -83,6 +83,7 @@ class TracedRun final : public GraphRun {
 
 std::unique_ptr<GraphRun> prepare_traced(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink,
                                          const char* run_name, std::shared_ptr<std::uint64_t> runs) {
+    if (!sink) return executor.prepare(graph);
     return std::make_unique<TracedRun>(executor, graph, std::move(sink), run_name, std::move(runs));
 }
 

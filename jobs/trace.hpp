@@ -67,6 +67,7 @@ class TraceScope {
 /// numbers of the run and the block. Each run reports a span in flight from schedule() to the end
 /// of complete(), with category "flight". Works with any executor; stages, dependencies and blocks
 /// are those of `graph`.
+/// \param sink      if null, nothing is reported: the result is executor.prepare(graph)
 /// \param run_name  a string literal for the result of a run, for instance "frame": name of the
 ///                  span in flight and of the argument that counts runs from 0
 /// \param runs      counter of runs. Several graphs may share it if only one of them runs at a

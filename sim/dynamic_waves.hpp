@@ -178,13 +178,13 @@ class DynamicWaves {
     std::size_t memory_bytes() const;  ///< all memory of the object
 
    private:
-    friend class Ocean;  // computes frames beside the ticks
+    friend class DynamicWavesPart;  // of a frame
 
     /// Swaps the view's buffers for the next frame, before any step that may fail; drop_frame()
     /// reverts it.
-    void turn();
+    void swap_buffers();
     /// Starts a frame: its ticks, except those that complete_frame() computes, and its view.
-    /// \pre turn() for this frame
+    /// \pre swap_buffers() for this frame
     void begin_frame(double time_s);
     void complete_frame();
     bool is_done() const;

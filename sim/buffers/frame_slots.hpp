@@ -77,6 +77,7 @@ class FrameSlots {
         if (working_) working_->release(cascade);
     }
     Cascade& cascade(std::size_t cascade) { return slots_.back().cascades[cascade]; }
+    std::span<Cascade> cascades() { return slots_.back().cascades; }
     /// Returns the cascade of the frame before, which the application may use.
     const Cascade& front_cascade(std::size_t cascade) const { return slots_.front().cascades[cascade]; }
     /// Returns the targets of all textures of the cascade: its own buffers or the application's
@@ -86,7 +87,7 @@ class FrameSlots {
     /// Returns the accumulated foam in the back slot, of a frame with one cascade.
     RememberedFoam& remembered_foam() { return slots_.back().remembered_foam; }
 
-    void turn() { slots_.swap(); }
+    void swap() { slots_.swap(); }
 
     /// Sets the application's texture targets of the back slot's frame. The frame has no views of
     /// textures in the application's memory.

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/buffers/frame_part.hpp"
+#include "pelagic/sim/buffers/pass.hpp"
 #include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
-#include "pelagic/sim/cascades/pass.hpp"
 #include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {
@@ -29,13 +30,6 @@ struct SeaMoment {
 
     /// Returns whether the moment has the waves of one sea, without a blend.
     bool is_steady() const { return before == after; }
-};
-
-/// The stages after which a cascade's displacement and velocity are complete.
-struct FilledBy {
-    StageId displacement;
-    /// Equals `displacement` without velocities, or where one stage computes both.
-    StageId velocity;
 };
 
 /// A source whose columns are transformed by stage `columns+textures` of a frame.

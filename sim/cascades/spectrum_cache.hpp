@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "pelagic/sim/cascades/pass.hpp"
+#include "pelagic/sim/buffers/pass.hpp"
 
 namespace pelagic {
 

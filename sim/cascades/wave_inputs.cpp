@@ -49,7 +49,6 @@ WaveInputs::WaveInputs(List inputs, FrameSlots& slots, Isa isa, bool has_velocit
     : slots_(slots), kernels_(kernels_for(isa)), inputs_(std::move(inputs)), has_velocities_(has_velocities) {
     for (std::size_t i = 0; i < inputs_.size(); ++i)
         if (!inputs_[i]) throw std::invalid_argument(name_of_input(i) + " is null, expected an input");
-    if (inputs_.empty()) return;
     for (const Pass pass : {Pass::tick, Pass::frame}) {
         grids_[pass].resize(slots.cascade_count());
         adds_[pass].resize(slots.cascade_count());
@@ -66,23 +65,28 @@ std::size_t WaveInputs::rows_a_job() const {
     return std::min(n, texels_a_job / n);
 }
 
-StageId WaveInputs::add_stage(JobGraph& graph, Pass pass, std::size_t cascade, const FilledBy& filled) {
-    if (empty()) return filled.displacement;
+FilledBy WaveInputs::add_cascade_stages(JobGraph& graph, Pass pass, std::size_t cascade, FilledBy filled) {
     std::vector<StageId> waits_for{filled.displacement};
     if (filled.velocity != filled.displacement) waits_for.push_back(filled.velocity);
-    return graph.add({.name = stage_name(pass == Pass::tick ? "tick inputs" : "inputs", cascade),
-                      .count = jobs(),
-                      .waits_for = waits_for,
-                      .body = for_each_item([this, pass, cascade](std::size_t job) { add_rows(pass, cascade, job); }),
-                      .stack_bytes = inputs_stack_bytes});
+    const StageId added =
+        graph.add({.name = stage_name(pass == Pass::tick ? "tick inputs" : "inputs", cascade),
+                   .count = jobs(),
+                   .waits_for = waits_for,
+                   .body = for_each_item([this, pass, cascade](std::size_t job) { add_rows(pass, cascade, job); }),
+                   .stack_bytes = inputs_stack_bytes});
+    return {added, added};
 }
 
-void WaveInputs::begin(Pass pass, double time_s, double time_in_loop_s, double loop_period_s) {
-    InputMoment& moment = moments_[pass];
-    moment.time_s = time_s;
-    moment.loop_period_s = loop_period_s;
-    moment.loop_turns = loop_fraction(time_in_loop_s, loop_period_s).turns;
+void WaveInputs::begin(const PassMoment& at) {
+    for (std::size_t cascade = 0; cascade < at.cascades.size(); ++cascade)
+        grids_[at.pass][cascade] = at.cascades[cascade].grid;
+    InputMoment& moment = moments_[at.pass];
+    moment.time_s = at.time_s;
+    moment.loop_period_s = at.loop_period_s;
+    moment.loop_turns = loop_fraction(at.time_in_loop_s, at.loop_period_s).turns;
     for (const auto& input : inputs_) input->begin(moment);
+    for (std::size_t cascade = 0; cascade < at.cascades.size(); ++cascade)
+        begin_cascade(at.pass, cascade, at.cascades[cascade]);
 }
 
 void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
@@ -157,6 +161,11 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
     if (pass == Pass::frame) bounds_[cascade * jobs() + job] = bounds;
 }
 
+void WaveInputs::end(Frame&) {
+    for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade)
+        if (adds_[Pass::frame][cascade] != 0) slots_.cascade(cascade).bounds = bounds(cascade);
+}
+
 FrameBounds WaveInputs::bounds(std::size_t cascade) const {
     const PlaneBounds* const job_bounds = bounds_.data() + cascade * jobs();
     PlaneBounds all = *job_bounds;
@@ -170,7 +179,7 @@ FrameBounds WaveInputs::bounds(std::size_t cascade) const {
 }
 
 std::size_t WaveInputs::bytes() const {
-    return inputs_.capacity() * sizeof inputs_[0] + bounds_.capacity() * sizeof(PlaneBounds);
+    return sizeof *this + inputs_.capacity() * sizeof inputs_[0] + bounds_.capacity() * sizeof(PlaneBounds);
 }
 
 }  // namespace pelagic

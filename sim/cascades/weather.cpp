@@ -12,6 +12,7 @@
 #include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -247,11 +248,13 @@ void Weather::begin(const SeaState& sea, const std::vector<CascadePlan>& plans, 
 }
 
 void Weather::begin(std::size_t number, Sources sources) {
+    const DefaultFloatEnvironment environment;
     begin(sea(number), plans(number), sources);
     baked_number_ = number;
 }
 
 void Weather::adopt(Sources sources) {
+    const DefaultFloatEnvironment environment;
     const SeaState& baked = sea(baked_number_);
     const std::size_t place = cache_.put(baked_number_);
     Sums sums;
@@ -288,6 +291,7 @@ void Weather::adopt(Sources sources) {
 }
 
 void Weather::begin_other(const SeaState& sea, Sources sources) {
+    const DefaultFloatEnvironment environment;
     Forecast forecast{.first = sea};
     other_.emplace(Other{forecast, WaveReach::of(sea), plan_cascades(sea)});
     begin(sea, other_->plans, sources);

@@ -78,8 +78,7 @@ struct DynamicWaves::State {
         add_show_stage(tick_and_show_graph, {grid.add_tick_stages(tick_and_show_graph)});
         const auto runs = std::make_shared<std::uint64_t>();
         const auto prepared = [&](const JobGraph& graph) {
-            return resources.trace ? prepare_traced(*executor, graph, resources.trace, "dynamic_waves", runs)
-                                   : executor->prepare(graph);
+            return prepare_traced(*executor, graph, resources.trace, "dynamic_waves", runs);
         };
         tick_run = prepared(tick_graph);
         show_run = prepared(show_graph);
@@ -235,7 +234,7 @@ std::int64_t DynamicWaves::tick_at(double time_s) const {
 
 const DynamicWavesView& DynamicWaves::advance(double time_s) {
     if (has_ocean_) throw std::logic_error("the ocean advances these waves");
-    turn();
+    swap_buffers();
     try {
         begin_frame(time_s);
         complete_frame();
@@ -289,7 +288,7 @@ void DynamicWaves::State::apply_commands(bool time_goes_on, double tick_s) {
     new_impulses = 0;
 }
 
-void DynamicWaves::turn() { state_->slots.swap(); }
+void DynamicWaves::swap_buffers() { state_->slots.swap(); }
 
 void DynamicWaves::begin_frame(double time_s) {
     State& s = *state_;
@@ -373,7 +372,7 @@ void DynamicWaves::drop_frame() {
         complete_frame();
     } catch (...) {  // the frame is discarded anyway
     }
-    turn();
+    swap_buffers();
     state_->shown = &state_->slots.back().view;
 }
 

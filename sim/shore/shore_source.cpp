@@ -150,7 +150,7 @@ void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& 
 }  // namespace
 
 ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
-                         const Kernels& kernels, const Allocator& memory)
+                         const Kernels& kernels, Executor& executor, const Allocator& memory)
     : bed_(options),
       sea_(sea),
       fade_m_(options.fade_m > 0 ? options.fade_m : 0.125 * std::min(bed_.columns, bed_.rows) * bed_.texel_m),
@@ -208,6 +208,10 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
         slot.potential = AlignedBuffer<float>(bed_.texels(), memory);
         slot.reach = AlignedBuffer<float>(bed_.texels(), memory);
     }
+    JobGraph graph;
+    add_bake_stages(graph);
+    executor.prepare(graph)->run();
+    end_bake();
 }
 
 double ShoreSource::inside(std::size_t texel) const {
@@ -478,15 +482,17 @@ void ShoreSource::end_bake() {
     weights_change_per_m_ = static_cast<float>(std::sqrt(2.0) * max / 255 / bed_.texel_m);
 }
 
-void ShoreSource::add_frame_stage(JobGraph& graph) {
+void ShoreSource::add_stages(JobGraph& graph, Pass pass, std::span<StageId>) {
+    if (pass == Pass::tick) return;
     graph.add({.name = "shore",
                .count = slots_.back().lowest.size(),
                .body = for_each_item([this](std::size_t item) { rows(item); }),
                .stack_bytes = stack_margin});
 }
 
-void ShoreSource::begin_frame(double time_s) {
-    const LoopFraction fraction = loop_fraction(time_s, sea_.loop_period_s);
+void ShoreSource::begin(const PassMoment& at) {
+    if (at.pass == Pass::tick) return;
+    const LoopFraction fraction = loop_fraction(at.time_s, sea_.loop_period_s);
     for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
         const std::uint32_t turns = waves_[wave].harmonic * fraction.turns;
         const auto [sine, cosine] = det::sine_cosine_of_turns(turns * 0x1p-32);
@@ -517,7 +523,13 @@ void ShoreSource::rows(std::size_t item) {
                          .highest = &slot.highest[item]});
 }
 
-ShoreSurface ShoreSource::end_frame() {
+void ShoreSource::end(Frame& frame) {
+    frame.shore = view_of_back();
+    frame.bounds.height_min_m += frame.shore.height_min_m;
+    frame.bounds.height_max_m += frame.shore.height_max_m;
+}
+
+ShoreSurface ShoreSource::view_of_back() const {
     const Slot& slot = slots_.back();
     const std::size_t texels = bed_.texels();
     const float lowest = slot.min_height(), highest = slot.max_height();

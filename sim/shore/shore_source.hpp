@@ -11,8 +11,10 @@
 #include <mutex>
 #include <vector>
 
+#include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_graph.hpp"
 #include "pelagic/sim/buffers/double_buffer.hpp"
+#include "pelagic/sim/buffers/frame_part.hpp"
 #include "pelagic/sim/buffers/height_field_buffers.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
@@ -25,7 +27,7 @@
 
 namespace pelagic {
 
-class ShoreSource {
+class ShoreSource final : public FramePart {
    public:
     /// Upper bound of the height of a single wave divided by the depth, on a uniform slope (McCowan
     /// 1894).
@@ -36,32 +38,25 @@ class ShoreSource {
     /// distributed: without the second bound, one crest in 20,000 would be higher than 0.66 d.
     static constexpr double deviation_over_depth = 0.42 / 2.8284271247461903, crest_over_depth = 0.66;
 
+    /// Bakes the waves. Throws what the executor throws.
     /// \pre check(options), check(sea) and check(options, sea) are empty; plans are those of the
     /// sea's cascades
     ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
-                const Kernels& kernels, const Allocator& memory = {});
-    ShoreSource(const ShoreSource&) = delete;  // stages point into it
-    ShoreSource& operator=(const ShoreSource&) = delete;
-
-    /// Adds the stages that bake the waves. Run them once, then call end_bake(), before any frame.
-    void add_bake_stages(JobGraph& graph);
-    void end_bake();
+                const Kernels& kernels, Executor& executor, const Allocator& memory = {});
 
     /// Adds the stage that computes a frame's waves.
-    void add_frame_stage(JobGraph& graph);
-    /// Makes the other slot the back slot, for the next frame. It cannot fail; drop_frame() reverts
-    /// it.
-    void turn() { slots_.swap(); }
-    /// Sets the time that the next run of the stage computes. \pre turn() was called for this frame
-    void begin_frame(double time_s);
-    /// Returns the views of the last frame. They are valid until the second begin_frame() after it.
-    ShoreSurface end_frame();
-    void drop_frame() { turn(); }
-
-    const std::vector<ShoreWave>& waves() const { return waves_; }
-    std::size_t bytes() const;
+    void add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) override;
+    void swap_buffers() override { slots_.swap(); }
+    void begin(const PassMoment& at) override;
+    void end(Frame& frame) override;
+    void drop() override { slots_.swap(); }
+    const char* fixes_sea() const override { return "shore"; }
+    std::size_t bytes() const override;
 
    private:
+    void add_bake_stages(JobGraph& graph);
+    void end_bake();
+    ShoreSurface view_of_back() const;
     void bake_wave(std::size_t number);
     void bake_shelter(std::size_t number);
     void bake_limits(const Refraction& wave, double omega);

@@ -7,7 +7,8 @@
 
 namespace pelagic {
 
-void FoldStages::add_to(JobGraph& graph, std::span<const StageId> surfaces_done) {
+void FoldStages::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) {
+    if (pass == Pass::tick) return;
     const bool is_one = surfaces_done.size() == 1;
     std::vector<StageId> cells_done;
     for (std::size_t cascade = 0; cascade < surfaces_done.size(); ++cascade) {
