@@ -17,6 +17,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
 #include "pelagic/tests/each_isa.hpp"

@@ -13,9 +13,9 @@
 
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
+#include "pelagic/sim/kernels/harmonic_bands.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/each_executor.hpp"

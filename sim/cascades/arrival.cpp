@@ -1,7 +1,7 @@
 #include "pelagic/sim/cascades/arrival.hpp"
 
+#include "pelagic/sim/kernels/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/simd/constants.hpp"
 
 namespace pelagic {

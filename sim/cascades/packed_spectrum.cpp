@@ -4,9 +4,9 @@
 #include <cmath>
 #include <complex>
 
+#include "pelagic/sim/kernels/harmonic_bands.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/simd/det_math.hpp"
 

@@ -9,7 +9,7 @@
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {

@@ -8,7 +8,7 @@
 #include "pelagic/sim/cascades/arrival.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
-#include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/simd/constants.hpp"
 
 namespace pelagic {

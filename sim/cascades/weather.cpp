@@ -7,8 +7,8 @@
 
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/foam/whitecaps.hpp"
+#include "pelagic/sim/kernels/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"

@@ -9,9 +9,9 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
-#include "pelagic/sim/spectrum/split_mix.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
+#include "pelagic/simd/split_mix.hpp"
 
 namespace pelagic {
 namespace {

@@ -58,7 +58,7 @@ struct BlendWavesJob {
 };
 
 /// BlendWavesJob while a distant swell arrives: s depends on the frequency band of the wave
-/// (sim/spectrum/harmonic_bands.hpp).
+/// (sim/kernels/harmonic_bands.hpp).
 struct BlendArrivingWavesJob {
     /// The band of a harmonic is the exponent and four mantissa bits of its float representation.
     static constexpr int band_shift = 19;

@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "pelagic/sim/buffers/shore_at.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/shore/shore_at.hpp"
 
 namespace pelagic {
 

@@ -13,11 +13,11 @@
 #include <string>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/buffers/shore_at.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/query/one_cascade_query.hpp"
 #include "pelagic/sim/query/stack_query.hpp"
-#include "pelagic/sim/shore/shore_at.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {

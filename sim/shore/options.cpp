@@ -8,9 +8,9 @@
 #include <xxhash.h>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/buffers/shore_at.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/shore/sea_bed.hpp"
-#include "pelagic/sim/shore/shore_at.hpp"
 #include "pelagic/sim/shore/shore_waves.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/simd/constants.hpp"

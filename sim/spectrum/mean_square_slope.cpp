@@ -58,4 +58,12 @@ double roughness_of(const SeaState& sea, const SlopeVariance& unresolved) {
     return sea.roughness < 0 ? std::min(1.0, std::sqrt(unresolved.total())) : sea.roughness;
 }
 
+SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence) {
+    // Smaller than the resolution of a byte of a normal.
+    constexpr double min_mean_square_slope = 1e-12;
+    const double square = std::max(mean_square_slope, min_mean_square_slope);
+    return {static_cast<float>(4 * std::sqrt(std::max(square, mean_square_convergence))),
+            static_cast<float>(3 * square)};
+}
+
 }  // namespace pelagic

@@ -1,9 +1,10 @@
 // Mean square slopes of the sea: measured values by wind speed, the slopes of a cascade's waves,
-// and the unresolved slopes, which become roughness.
+// the unresolved slopes, which become roughness, and the ranges of slope maps.
 #pragma once
 
 #include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/slope_variance.hpp"
 
 namespace pelagic {
@@ -43,5 +44,14 @@ SlopeVariance unresolved_slopes(const SeaState& sea, const SlopeVariance& resolv
 /// Otherwise it is alpha of a GGX surface with the mean square slope alpha^2 of the unresolved
 /// slopes, at most 1.
 double roughness_of(const SeaState& sea, const SlopeVariance& unresolved);
+
+/// Returns the value ranges of a cascade's slope maps. The slope range is four times the root of
+/// the larger mean square. This is at least four standard deviations along any axis, and five if
+/// waves run in opposite directions. The variance range is three times the mean square slope. A sea
+/// without waves has positive ranges, too.
+/// \param mean_square_slope  mean of h_x^2 + h_z^2
+/// \param mean_square_convergence  mean of (D_xx + D_zz)^2 at choppiness 1; the larger of both in
+/// shallow water
+SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence);
 
 }  // namespace pelagic

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "pelagic/sim/spectrum/split_mix.hpp"
 #include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/split_mix.hpp"
 
 namespace pelagic {
 namespace {

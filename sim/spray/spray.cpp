@@ -10,13 +10,13 @@
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/spectrum/split_mix.hpp"
 #include "pelagic/sim/spray/breaking_surface.hpp"
 #include "pelagic/sim/spray/flight.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
+#include "pelagic/simd/split_mix.hpp"
 
 namespace pelagic {
 namespace {

@@ -12,16 +12,7 @@ std::size_t jobs_across(int resolution) {
     return std::max(static_cast<std::size_t>(resolution) / SlopesJob::block_columns, std::size_t{1});
 }
 
-// Smaller than the resolution of a byte of a normal.
-constexpr double min_mean_square_slope = 1e-12;
-
 }  // namespace
-
-SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence) {
-    const double square = std::max(mean_square_slope, min_mean_square_slope);
-    return {static_cast<float>(4 * std::sqrt(std::max(square, mean_square_convergence))),
-            static_cast<float>(3 * square)};
-}
 
 std::size_t SlopeMaps::jobs() const {
     return jobs_across(resolution) * static_cast<std::size_t>(resolution) / SlopesJob::block_rows;

@@ -13,15 +13,6 @@
 
 namespace pelagic {
 
-/// Returns the value ranges of a cascade's slope maps. The slope range is four times the root of
-/// the larger mean square. This is at least four standard deviations along any axis, and five if
-/// waves run in opposite directions. The variance range is three times the mean square slope. A sea
-/// without waves has positive ranges, too.
-/// \param mean_square_slope  mean of h_x^2 + h_z^2
-/// \param mean_square_convergence  mean of (D_xx + D_zz)^2 at choppiness 1; the larger of both in
-/// shallow water
-SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence);
-
 /// Returns the slope that a byte step of the slope maps stands for.
 inline float slope_step(const SlopeRanges& ranges) { return ranges.slope / 127.f; }
 
