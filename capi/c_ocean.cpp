@@ -173,9 +173,6 @@ pelagic_cascade c_cascade_of(const Cascade& cascade) {
     out.levels = mip_levels(cascade.resolution());
     write_offsets(cascade.resolution(), out.level_offset);
     out.bounds = bounds_of(cascade.bounds);
-    out.whitecap_jacobian = cascade.whitecap_jacobian;
-    out.foam_r8 = cascade.foam_r8.data();
-    out.whitecap_ramp = cascade.whitecap_ramp;
     out.compression_r8 = cascade.compression_r8.data();
     for (std::size_t image = 0; image < SnapshotFoam::images; ++image) {
         out.snapshots_rgba8[image] = cascade.snapshots_rgba8[image].data();
@@ -208,8 +205,7 @@ FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
             .displacement_rgba16f = array(buffers.displacement_rgba16f, buffers.rgba16f_count),
             .gradient_rgba8 = array(buffers.gradient_rgba8, buffers.rgba8_count),
             .slopes_rgba8 = array(buffers.slopes_rgba8, buffers.slopes_count),
-            .moments_rgba8 = array(buffers.moments_rgba8, buffers.slopes_count),
-            .foam_r8 = array(buffers.foam_r8, buffers.foam_count)};
+            .moments_rgba8 = array(buffers.moments_rgba8, buffers.slopes_count)};
 }
 
 /// Converts a struct that read_struct() has read.
@@ -399,7 +395,7 @@ pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
 pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        if (!ocean->contents.foam) reject("the ocean has no foam: it was created without pelagic_ocean_options.foam");
+        if (!ocean->shown->has_foam) reject("the ocean has no foam: it was created without pelagic_ocean_options.foam");
         needed(hash, "hash") = foam_hash_of(*ocean->shown);
     });
 }

@@ -64,8 +64,7 @@ struct pelagic_ocean {
           has_queries(options.queries),
           contents{.velocities = options.velocities,
                    .gradients = options.gradients || ocean.cascade_count() == 1,
-                   .slopes = options.slopes || ocean.cascade_count() > 1,
-                   .foam = options.foam,
+                   .slopes = options.slopes || options.foam || ocean.cascade_count() > 1,
                    .planes = options.planes},
           query_tolerance_m(tolerance_m) {
         if (options.dynamic_waves) dynamic_waves = {nullptr, &ocean.dynamic_waves(), this};

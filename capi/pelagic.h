@@ -379,16 +379,14 @@ typedef struct pelagic_ocean_options {
     pelagic_allocate allocate;
     pelagic_release release;
     void* memory_user; /* passed to both; must outlive the ocean */
-    /* Nonzero adds slopes and moments to frames of one cascade; frames of several have them
-     * always. */
+    /* Nonzero adds slopes and moments to frames of one cascade; frames of several, and frames with
+     * foam, have them always. */
     int32_t slopes;
     /* Nonzero adds a gradient chain to each cascade of several; a single cascade has one always. */
     int32_t gradients;
     /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
      * a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
-     * which take as long as ten to twenty frames. 49 N^2 bytes for each cascade, 52 N^2 for a
-     * single one. With 0 the half floats of one cascade hold only the foam of waves that break at
-     * the frame's time. */
+     * which take as long as ten to twenty frames. 49 N^2 bytes for each cascade. */
     int32_t foam;
     /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes
      * about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
@@ -495,9 +493,9 @@ typedef struct pelagic_frame {
     pelagic_plane dx, height, dz;
     /* In m/s; with pelagic_ocean_options.velocities. */
     pelagic_plane velocity_x, velocity_y, velocity_z;
-    /* N^2 texels of four IEEE half floats in tight rows of 8 N bytes: Dx, height, Dz, and of one
-     * cascade foam (0 none to 1 full). The layout is that of GL_RGBA16F with GL_HALF_FLOAT and of
-     * VK_FORMAT_R16G16B16A16_SFLOAT. NULL if it was written to texture targets. */
+    /* N^2 texels of four IEEE half floats in tight rows of 8 N bytes: Dx, height, Dz, 0. The layout
+     * is that of GL_RGBA16F with GL_HALF_FLOAT and of VK_FORMAT_R16G16B16A16_SFLOAT. NULL if it was
+     * written to texture targets. */
     const uint16_t* displacement_rgba16f;
     /* A mipmap chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, in tight rows of
      * 4 bytes a texel: normal x, normal z, Jacobian, smoothness. GL_RGBA8,
@@ -514,8 +512,8 @@ typedef struct pelagic_frame {
     float roughness;
     /* Drift velocity of foam in the world's axes, by wind and waves. */
     double foam_drift_x_mps, foam_drift_z_mps;
-    /* Foam of several cascades, see pelagic_cascade. The level is 1000 if the sea has no whitecaps,
-     * and without pelagic_ocean_options.foam. */
+    /* Foam, see pelagic_cascade. The level is 1000 if the sea has no whitecaps, and without
+     * pelagic_ocean_options.foam. */
     float foam_level;
     float foam_age[16]; /* 1 and more: the snapshot has no effect */
     uint32_t reserved_2;
@@ -556,11 +554,10 @@ typedef struct pelagic_frame {
  *   J = (1 + D_xx) (1 + D_zz) - D_xz^2,
  *   n = (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)).
  *
- * Foam of one cascade is foam_r8. Several cascades break where their sum does. A byte b of
- * compression is q = -3 + 8 b / 255: b = compression_r8[texel] now, and b = byte s % 4 (from the
- * lowest) of a texel of snapshots_rgba8[s / 4] for snapshot s of 16. Let S_s be the sum over the
- * cascades of the q of snapshot s, and S that of the q now. The foam at a position is the largest
- * of
+ * Water breaks where the sum of the cascades does. A byte b of compression is q = -3 + 8 b / 255:
+ * b = compression_r8[texel] now, and b = byte s % 4 (from the lowest) of a texel of
+ * snapshots_rgba8[s / 4] for snapshot s of 16. Let S_s be the sum over the cascades of the q of
+ * snapshot s, and S that of the q now. The foam at a position is the largest of
  *
  *   clamp(1/2 + (S - foam_level) / 0.3, 0, 1)  and
  *   clamp(1/2 + (S_s - foam_level) / 0.3, 0, 1) - foam_age[s],
@@ -579,26 +576,15 @@ typedef struct pelagic_cascade {
     pelagic_plane velocity_x, velocity_y, velocity_z;
     const uint16_t* displacement_rgba16f;
     const uint32_t* gradient_rgba8;
-    /* NULL in a frame of one cascade, unless pelagic_ocean_options.slopes is set. */
+    /* NULL in a frame of one cascade, unless pelagic_ocean_options.slopes or foam is set. */
     const uint32_t *slopes_rgba8, *moments_rgba8;
     float slope_range, variance_range;
     int32_t levels;            /* number of levels of each chain that is not NULL */
     uint32_t level_offset[12]; /* first texel of level m in each chain */
     pelagic_bounds bounds;
-    /* In a frame of one cascade, a point with the Jacobian J has the foam
-     * clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1). The two values are chosen so that
-     * foam, with its decay, covers on average as much as whitecaps in that wind. -10 if nothing
-     * breaks, and in frames of several cascades. */
-    float whitecap_jacobian;
-    /* A fourth chain of `levels` levels, foam with one byte a texel, 0 none to 255 full: GL_R8,
-     * VK_FORMAT_R8_UNORM. The fourth half float of displacement_rgba16f is this byte / 255. NULL
-     * without pelagic_ocean_options.foam, and in frames of several cascades. */
-    const uint8_t* foam_r8;
-    float whitecap_ramp; /* above 0 */
     uint32_t reserved_1;
     /* N^2 bytes in tight rows, and four chains of `levels` levels. NULL without
-     * pelagic_ocean_options.foam, and for a cascade that makes no foam. compression_r8 is also NULL
-     * in a frame of one cascade. */
+     * pelagic_ocean_options.foam, and for a cascade that makes no foam. */
     const uint8_t* compression_r8;
     const uint32_t* snapshots_rgba8[4];
     /* Differs whenever an image of snapshots differs, in all oceans of the process. About five
@@ -699,8 +685,6 @@ typedef struct pelagic_frame_buffers {
     uint32_t* gradient_rgba8;
     size_t slopes_count; /* the length of each of the two chains, equal to rgba8_count */
     uint32_t *slopes_rgba8, *moments_rgba8;
-    size_t foam_count; /* equal to rgba8_count; only of a frame with one cascade */
-    uint8_t* foam_r8;
 } pelagic_frame_buffers;
 
 /* Copies the frame completed last, also while the next frame is computed. Planes are written in

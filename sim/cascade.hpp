@@ -114,8 +114,7 @@ struct Cascade {
     /// unless OceanOptions::queries is set and the frame has one cascade.
     std::span<const std::uint8_t> folds;
     ContractionBound contraction;  ///< replaces `folds` in a frame of several cascades
-    /// resolution^2 texels of four IEEE half floats in tight rows: Dx, height, Dz, and in a frame
-    /// of one cascade foam (0 none to 1 full), else 0.
+    /// resolution^2 texels of four IEEE half floats in tight rows: Dx, height, Dz, 0.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// A chain of mip_levels() levels with one texel in a word: normal x, normal z, Jacobian,
     /// smoothness from the lowest byte up (VR Ocean, equations 50 and 51). Level m starts at
@@ -125,19 +124,12 @@ struct Cascade {
     std::span<const std::uint32_t> gradient_rgba8;
     /// Two such chains, of slopes, which add over cascades, and of their moments within a texel.
     /// slope_sum.hpp defines the bytes and the normal. Empty in a frame of one cascade unless
-    /// OceanOptions::slopes is set.
+    /// OceanOptions::slopes or foam is set.
     std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
     SlopeRanges slope_ranges;
-    /// A chain of mip_levels() levels of foam with one byte a texel, 0 none to 255 full: foam of
-    /// waves that break at the frame's time, and the remainder of earlier foam. The fourth half
-    /// float of displacement_rgba16f is this byte / 255. Empty unless OceanOptions::foam is set and
-    /// the frame has one cascade. Several cascades break where their sum does, so their foam is
-    /// resolved from the compression and the snapshots below.
-    std::span<const std::uint8_t> foam_r8;
     /// Compression as bytes (snapshot_foam.hpp): resolution^2 bytes now, in tight rows, and four
     /// chains of mip_levels() levels with the snapshots. Empty unless OceanOptions::foam is set,
-    /// and for a cascade whose compression has no weight. compression_r8 is also empty in a frame
-    /// of one cascade.
+    /// and for a cascade whose compression has no weight.
     std::span<const std::uint8_t> compression_r8;
     std::array<std::span<const std::uint32_t>, SnapshotFoam::images> snapshots_rgba8;
     /// Differs whenever an image of snapshots differs, in all oceans of the process.
@@ -153,16 +145,9 @@ struct Cascade {
     /// (texture_targets.hpp).
     double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates
-    /// In a frame of one cascade, a point with the Jacobian J has the foam
-    /// clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1). The two values are chosen so
-    /// that foam, with its decay, covers on average as much as whitecaps in that wind
-    /// (foam/whitecaps.hpp). no_whitecaps if nothing breaks, and in frames of several cascades.
-    float whitecap_jacobian = no_whitecaps;
-    float whitecap_ramp = 1;  ///< above 0
-    static constexpr float no_whitecaps = -10;
 
-    /// Returns whether the cascade's waves make foam, alone or in the sum.
-    bool makes_whitecaps() const { return whitecap_jacobian != no_whitecaps || compression_scale > 0; }
+    /// Returns whether the cascade's waves make foam in the sum.
+    bool makes_whitecaps() const { return compression_scale > 0; }
 
     /// Returns N, the texels along a side.
     int resolution() const { return height.resolution; }

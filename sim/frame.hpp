@@ -68,7 +68,7 @@ struct Frame {
 /// Returns the XXH3 of the frame's outputs. Two frames with equal hashes are bit-identical.
 ///
 /// The hash covers these outputs of each cascade, in this order and little-endian: the rows of dx,
-/// height and dz; the half floats except foam; the gradient chain; the bounds. For several cascades
+/// height and dz; the half floats; the gradient chain; the bounds. For several cascades
 /// the two chains of slopes replace the gradient chain. It leaves out time and water frame, and the
 /// velocities, fold maps and chains that only OceanOptions enables, so an ocean with more outputs
 /// has equal hashes. It also leaves out textures in the application's memory (texture_targets.hpp),
@@ -76,8 +76,8 @@ struct Frame {
 std::uint64_t hash_of(const Frame& frame);
 
 /// Returns the XXH3 of the cascades' foam, which OceanOptions::foam enables: of each cascade the
-/// chain of foam, the bytes of compression and the chains of snapshots, in this order, without
-/// those that the frame does not have, then the drift and the scale; last the level and the ages of
+/// bytes of compression and the chains of snapshots, in this order, without those that the frame
+/// does not have, then the drift and the scale; last the level and the ages of
 /// Frame::foam. Foam is a function of the sea and the time, as all outputs are.
 std::uint64_t foam_hash_of(const Frame& frame);
 

@@ -21,13 +21,11 @@ struct FrameBuffers {
     std::span<std::uint32_t> gradient_rgba8 = {};
     /// mip_offset(N, mip_levels(N))
     std::span<std::uint32_t> slopes_rgba8 = {}, moments_rgba8 = {};
-    /// mip_offset(N, mip_levels(N)); only of a frame with one cascade
-    std::span<std::uint8_t> foam_r8 = {};
 };
 
 /// Optional contents of frames.
 struct FrameContents {
-    bool velocities = false, gradients = true, slopes = false, foam = false;
+    bool velocities = false, gradients = true, slopes = false;
     bool planes = true;  ///< dx, height and dz
 };
 

@@ -46,14 +46,14 @@ struct OceanOptions {
     /// Adds each cascade's own normals to frames of several cascades; a single cascade has them
     /// always.
     bool gradients = false;
-    /// Adds slopes (slope_sum.hpp) to a frame of one cascade; frames of several have them always.
+    /// Adds slopes (slope_sum.hpp) to a frame of one cascade; frames of several, and frames with
+    /// foam, have them always.
     bool slopes = false;
     /// Enables foam: foam of breaking waves drifts and fades over 2.8 seconds (foam/snapshots.hpp).
-    /// 49 N^2 bytes a cascade, 52 N^2 in a frame of one cascade.
+    /// 49 N^2 bytes a cascade.
     ///
     /// A frame with a tick (five a second) takes about twice as long. A jump in time computes 16
-    /// ticks, which take as long as ten to twenty frames. Without the option the half floats of one
-    /// cascade hold only the foam of waves that break at the frame's time.
+    /// ticks, which take as long as ten to twenty frames.
     bool foam = false;
     /// Adds dynamic waves (dynamic_waves.hpp): frames have Frame::dynamic_waves, and queries
     /// include them. With 256 texels a tick takes about three quarters of a frame of one cascade of

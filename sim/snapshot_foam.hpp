@@ -1,4 +1,4 @@
-// Foam of several cascades, from snapshots of their compression.
+// Foam of the sum of cascades, from snapshots of their compression.
 //
 // Water breaks where the sum of all cascades contracts it most, so foam is no property of a single
 // cascade. Each cascade therefore holds bytes of its own compression, now and at 16 past moments,

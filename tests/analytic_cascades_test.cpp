@@ -485,9 +485,7 @@ TEST(PondCascade, ReportsMatchFrames) {
             const Frame& now = ocean.frame_at(frame * 23.7);
             squares += std::pow(measured_significant_wave_height_m(now), 2) / 8;
             const Cascade& cascade = now.cascades[0];
-            EXPECT_EQ(cascade.whitecap_jacobian, Cascade::no_whitecaps);
-            for (std::size_t texel = 3; texel < cascade.displacement_rgba16f.size(); texel += 4)
-                ASSERT_EQ(cascade.displacement_rgba16f[texel], 0) << "foam";
+            EXPECT_FALSE(cascade.makes_whitecaps());
             for (int j = 0; j < 256; ++j)
                 for (int i = 0; i < 256; ++i) {
                     const double x = (cascade.height.at((i + 1) % 256, j) - cascade.height.at((i + 255) % 256, j)) /

@@ -83,8 +83,7 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
             EXPECT_EQ(c.sine, cascade.grid.sine);
             EXPECT_EQ(c.slope_range, cascade.slope_ranges.slope);
             EXPECT_EQ(c.variance_range, cascade.slope_ranges.variance);
-            EXPECT_EQ(c.whitecap_jacobian, cascade.whitecap_jacobian);
-            EXPECT_EQ(c.whitecap_ramp, cascade.whitecap_ramp);
+            EXPECT_EQ(c.compression_scale, cascade.compression_scale);
             expect_same(c.dx, cascade.dx);
             expect_same(c.height, cascade.height);
             expect_same(c.dz, cascade.dz);
@@ -95,7 +94,7 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
             expect_same(c.gradient_rgba8, cascade.gradient_rgba8);
             expect_same(c.slopes_rgba8, cascade.slopes_rgba8);
             expect_same(c.moments_rgba8, cascade.moments_rgba8);
-            expect_same(c.foam_r8, cascade.foam_r8);
+            expect_same(c.compression_r8, cascade.compression_r8);
         }
         pelagic_ocean_destroy(made);
     }

@@ -122,7 +122,6 @@ TEST_P(NormalOnEachIsa, OfOneWaveIsTheTrochoidsNormal) {
                      .normal_length = 1,
                      .smoothness_bits = smoothness_bits(0),
                      .rgba16f = rgba16f.data(),
-                     .foam = {},
                      .levels = {rgba8.data()},
                      .averages = averages.data(),
                      .average_stride = n};

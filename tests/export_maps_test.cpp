@@ -325,7 +325,10 @@ struct Planes {
 };
 
 std::vector<std::uint8_t> normal_bytes(const Planes& planes, int level) {
-    const tools::MapImage image = tools::map_image(planes.cascade(), tools::MapKind::normal, level, {});
+    const Cascade cascade = planes.cascade();
+    Frame frame;
+    frame.cascades = {&cascade, 1};
+    const tools::MapImage image = tools::map_image(frame, 0, tools::MapKind::normal, level, {});
     std::vector<std::uint8_t> bytes;
     for (const std::byte byte : image.pixels) bytes.push_back(std::to_integer<std::uint8_t>(byte));
     return bytes;

@@ -19,6 +19,7 @@
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tools/files/zstd.hpp"
+#include "pelagic/tools/maps/map_image.hpp"
 #include "pelagic/tools/preview/film.hpp"
 #include "pelagic/tools/preview/shaded_sea.hpp"
 
@@ -103,14 +104,15 @@ TEST_F(ExportedTextures, HoldEveryLevelOfTheFoamOfOneCascade) {
     SeaState sea = textured_gale;
     sea.cascades = 1;
     Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
-    const Cascade& cascade = ocean.frame_at(3.03).cascades[0];
+    const tools::MapOptions options{.maps = {tools::MapKind::foam}};
+    const auto expected = tools::map_levels(ocean.frame_at(3.03), 0, tools::MapKind::foam, 0, 6, options);
     const auto foam = ktx2_levels(read_file(folder_ / "foam_0000.ktx2"));
     ASSERT_EQ(foam.size(), 6u);
-    for (int level = 0; level < 6; ++level)
-        EXPECT_EQ(foam[static_cast<std::size_t>(level)], as_bytes(cascade.level_of(cascade.foam_r8, level)));
+    for (std::size_t level = 0; level < 6; ++level)
+        EXPECT_EQ(foam[level], as_bytes(std::span<const std::byte>(expected[level].pixels)));
 }
 
-// Level 0 holds the cascade's halves with foam set to 1. Other levels are means, here computed in
+// Level 0 holds the cascade's halves with alpha set to 1. Other levels are means, here computed in
 // double over all texels.
 TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
     expect_export(folder_.path(), {"--start", "3.03", "--maps", "displacement", "--mips", "--format", "ktx2"});

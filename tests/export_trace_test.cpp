@@ -108,7 +108,7 @@ TEST(ExportTrace, NumbersFramesOfFoamAndNamesTicks) {
     EXPECT_EQ(flights["tick"].size(), 15u);
     EXPECT_EQ(frames_of_job["evolve+rows"], flights["frame"]);
     // At 24 frames per second, tick 1 precedes frame 5.
-    EXPECT_EQ(frames_of_job["tick foam"], (std::set<int>{0, 5}));
+    EXPECT_EQ(frames_of_job["tick snapshot"], (std::set<int>{0, 5}));
     EXPECT_EQ(files["encode foam"], 6 * mip_levels(32));
 }
 

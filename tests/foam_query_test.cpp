@@ -43,15 +43,9 @@ double interpolated(const Cascade& cascade, double columns, double rows, Value v
     return sum;
 }
 
-/// As snapshot_foam.hpp specifies for several cascades, and Cascade::foam_r8 for one.
+/// As snapshot_foam.hpp specifies.
 double foam_by_texels(const Frame& frame, double reference_x_m, double reference_z_m) {
     const auto place = [&](const Cascade& cascade) { return cascade.grid.in_cascade(reference_x_m, reference_z_m); };
-    if (frame.cascades.size() == 1) {
-        const Cascade& cascade = frame.cascades[0];
-        const CascadeGrid::Place at = place(cascade);
-        return interpolated(cascade, at.along / cascade.texel_m(), at.across / cascade.texel_m(),
-                            [&](std::size_t texel) { return cascade.foam_r8[texel] / 255.0; });
-    }
     const auto breaking = [&](double sum) {
         return std::clamp(0.5 + (sum - double{frame.foam.level}) / 0.3, 0., 1.);
     };
@@ -97,14 +91,11 @@ TEST(FoamQuery, IsThatOfTheTexelsAtTheReferencePoint) {
             largest_error = std::max(largest_error, std::fabs(static_cast<double>(foam[i]) - expected));
         }
         // The search stops within a 64th of a millimetre, or five times that at the reference
-        // point. Foam of a cascade changes by at most 1 over a texel along each axis. The sum of
-        // the cascades changes by at most 8 in each of them, and foam by 1 / 0.3 times as much.
-        double change_a_m = 2 / frame.cascades.back().texel_m();
-        if (frame.cascades.size() > 1) {
-            change_a_m = 0;
-            for (const Cascade& cascade : frame.cascades)
-                if (!cascade.compression_r8.empty()) change_a_m += 2 * 8 / 0.3 / cascade.texel_m();
-        }
+        // point. The sum of the cascades changes by at most 8 over a texel along each axis, and
+        // foam by 1 / 0.3 times as much.
+        double change_a_m = 0;
+        for (const Cascade& cascade : frame.cascades)
+            if (!cascade.compression_r8.empty()) change_a_m += 2 * 8 / 0.3 / cascade.texel_m();
         EXPECT_LT(largest_error, 1e-6 + 5 * 1.6e-5 * change_a_m);
         EXPECT_GT(compared, static_cast<int>(foam.size()) * 8 / 10);
         EXPECT_GT(white, compared / 50);
@@ -145,41 +136,29 @@ TEST(FoamQuery, IsRejectedForFramesWithoutFoam) {
     EXPECT_EQ(height[0], -1) << "samples were written before the check";
 }
 
-TEST(FoamInBuffers, IsTheMipChainOfASingleCascade) {
-    Ocean ocean(storm_on_one_cascade, with_queries_and_foam());
-    std::vector<std::uint8_t> bytes(mip_offset(64, mip_levels(64)), 77);
-    std::vector<FrameBuffers> buffers{{.foam_r8 = bytes}};
-    ocean.frame_at(5, buffers);
-    const std::span<const std::uint8_t> expected = ocean.frame_at(5).cascades[0].foam_r8;
-    EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), expected.begin(), expected.end()));
-
-    EXPECT_EQ(check(buffers, 1, 64, {}), "foam_r8 is requested, but the ocean was created without foam");
-    buffers[0].foam_r8 = buffers[0].foam_r8.first(1024);
-    EXPECT_EQ(check(buffers, 1, 64, {.foam = true}), "foam_r8 has 1024 elements, expected 5461");
-    buffers.push_back({});
-    EXPECT_EQ(check(buffers, 2, 64, {.foam = true}), "foam_r8 is requested, but only frames of one cascade have it");
-}
-
 // The unrounded compression is that of the bytes, and q is clamped to them at [-3, 5].
 TEST(CopiedCompression, IsThatOfTheBytesWithoutRounding) {
-    Ocean ocean(gale_of_four_cascades, with_queries_and_foam());
-    for (const Cascade& cascade : ocean.frame_at(5).cascades) {
-        std::vector<float> compression(32 * 32, 77);
-        copy_compression(cascade, compression);
-        double largest = 0;
-        for (std::size_t texel = 0; texel < compression.size(); ++texel) {
-            if (cascade.compression_r8.empty()) {
-                ASSERT_EQ(compression[texel], 0);
-                continue;
+    for (const SeaState& sea : {gale_of_four_cascades, storm_on_one_cascade}) {
+        Ocean ocean(sea, with_queries_and_foam());
+        for (const Cascade& cascade : ocean.frame_at(5).cascades) {
+            const auto side = static_cast<std::size_t>(cascade.resolution());
+            std::vector<float> compression(side * side, 77);
+            copy_compression(cascade, compression);
+            double largest = 0;
+            for (std::size_t texel = 0; texel < compression.size(); ++texel) {
+                if (cascade.compression_r8.empty()) {
+                    ASSERT_EQ(compression[texel], 0);
+                    continue;
+                }
+                const double shown = SnapshotFoam::value_of(cascade.compression_r8[texel]);
+                const double clamped = std::clamp(double{compression[texel]}, -3., 5.);
+                ASSERT_NEAR(clamped, shown, 0.5001 * double{SnapshotFoam::step}) << texel;
+                largest = std::max(largest, std::fabs(clamped));
             }
-            const double shown = SnapshotFoam::value_of(cascade.compression_r8[texel]);
-            const double clamped = std::clamp(double{compression[texel]}, -3., 5.);
-            ASSERT_NEAR(clamped, shown, 0.5001 * double{SnapshotFoam::step}) << texel;
-            largest = std::max(largest, std::fabs(clamped));
+            EXPECT_EQ(largest > 0, cascade.makes_whitecaps());
         }
-        EXPECT_EQ(largest > 0, cascade.makes_whitecaps());
+        EXPECT_THROW(copy_compression(ocean.frame_at(5).cascades[0], std::span<float>()), std::invalid_argument);
     }
-    EXPECT_THROW(copy_compression(ocean.frame_at(5).cascades[0], std::span<float>()), std::invalid_argument);
 }
 
 }  // namespace

@@ -134,8 +134,6 @@ TEST_P(FrameOnEachIsa, BoundsAreTheExtremesOfThePlanes) {
 TEST_P(FrameOnEachIsa, HalvesAreTheFloatsRoundedToNearestEven) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
-    const Cascade& cascade = frame.cascades[0];
-    const auto jacobian = oracle::jacobian_of(oracle::displacement_of(frame), one().sea.patch_size_m);
     for (int j = 0; j < frame.cascades[0].resolution(); ++j) {
         for (int i = 0; i < frame.cascades[0].resolution(); ++i) {
             const std::size_t texel = static_cast<std::size_t>(j * frame.cascades[0].resolution() + i);
@@ -143,13 +141,7 @@ TEST_P(FrameOnEachIsa, HalvesAreTheFloatsRoundedToNearestEven) {
             ASSERT_EQ(halves[0], Imath::half(frame.cascades[0].dx.at(i, j)).bits()) << i << ", " << j;
             ASSERT_EQ(halves[1], Imath::half(frame.cascades[0].height.at(i, j)).bits()) << i << ", " << j;
             ASSERT_EQ(halves[2], Imath::half(frame.cascades[0].dz.at(i, j)).bits()) << i << ", " << j;
-            // Half a step of a byte is 2e-3, and half a step of a half below one 2.5e-4. The float
-            // Jacobian adds 1e-4 divided by the ramp where slopes are steep.
-            Imath::half foam;
-            foam.setBits(halves[3]);
-            const double beyond = (cascade.whitecap_jacobian - jacobian[texel]) / cascade.whitecap_ramp;
-            ASSERT_NEAR(foam, std::clamp(0.5 + beyond, 0.0, 1.0), 2.3e-3 + 1e-4 / cascade.whitecap_ramp)
-                << i << ", " << j;
+            ASSERT_EQ(halves[3], 0) << i << ", " << j;
         }
     }
 }

@@ -176,7 +176,7 @@ template <class Visit>
 void each_view(Cascade& c, Visit visit) {
     for (PlaneView* plane : {&c.dx, &c.height, &c.dz, &c.velocity_x, &c.velocity_y, &c.velocity_z}) visit(*plane);
     visit(c.folds), visit(c.contraction.blocks), visit(c.contraction.around), visit(c.gradient_rgba8);
-    visit(c.foam_r8), visit(c.compression_r8);
+    visit(c.compression_r8);
     for (auto& image : c.snapshots_rgba8) visit(image);
 }
 /// Calls `visit` for every view of a frame and of its cascades.

@@ -63,7 +63,7 @@ std::string fault_of(const Cascade& cascade) {
         return "bounds are not the extremes";
     for (const std::uint16_t half : cascade.displacement_rgba16f)
         if (!is_finite_half(half)) return "a half is not finite";
-    if (!std::isfinite(cascade.whitecap_jacobian)) return "the threshold of whitecaps is not finite";
+    if (!std::isfinite(cascade.compression_scale)) return "the scale of compression is not finite";
     return {};
 }
 

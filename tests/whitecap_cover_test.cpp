@@ -6,9 +6,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "pelagic/sim/foam/whitecaps.hpp"
+#include "pelagic/sim/foam/accumulation.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/sweep.hpp"
@@ -19,8 +18,7 @@ namespace {
 /// Foam persists for three seconds; frames are mostly between ticks.
 constexpr double seconds_between = 0.57;
 
-/// Returns the mean foam over seeds, frames of each seed, and points: of the sea's area as queries
-/// return it, or of reference points if the sea has one cascade, whose texels are those.
+/// Returns the mean foam of the sea's area over seeds, frames of each seed, and points.
 double mean_cover(SeaState sea, int seeds, int frames) {
     // Points that fill a square evenly (Roberts 2018), different in each frame.
     constexpr int places = 10'000;
@@ -29,8 +27,7 @@ double mean_cover(SeaState sea, int seeds, int frames) {
     double sum = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
         sea.seed = static_cast<std::uint32_t>(seed);
-        const bool by_area = cascades_of(sea) > 1;
-        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = by_area, .foam = true});
+        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .foam = true});
         std::vector<double> x_m(places), z_m(places);
         std::vector<float> foam(places);
         for (int number = 0; number < frames; ++number) {
@@ -39,14 +36,7 @@ double mean_cover(SeaState sea, int seeds, int frames) {
                 x_m[static_cast<std::size_t>(point)] = square_m * part_of(place * 0.7548776662466927);
                 z_m[static_cast<std::size_t>(point)] = square_m * part_of(place * 0.5698402909980532);
             }
-            const Frame& frame = ocean.frame_at(number * seconds_between);
-            if (by_area) {
-                SurfaceQuery(frame).sample({x_m, z_m}, {.foam = foam});
-            } else {
-                const FoamSampler sampler(frame);
-                for (std::size_t point = 0; point < foam.size(); ++point)
-                    foam[point] = sampler.at(x_m[point], z_m[point]);
-            }
+            SurfaceQuery(ocean.frame_at(number * seconds_between)).sample({x_m, z_m}, {.foam = foam});
             for (const float each : foam) sum += double{each};
         }
     }

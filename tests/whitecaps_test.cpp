@@ -1,5 +1,5 @@
-// Statistics of a frame: the height of the waves, and the whitecap thresholds.
-#include "pelagic/sim/foam/whitecaps.hpp"
+// Statistics of a frame: the height of the waves, and the compression at which they break.
+#include "pelagic/sim/foam/accumulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(FrameStatistics, MatchTheSeaOnEveryInstructionSetAndAfterEveryChange) {
     const SeaState calm{.resolution = 64, .patch_size_m = 50, .wind_speed_mps = 3};
     const SeaState storm{.resolution = 64, .patch_size_m = 800, .wind_speed_mps = 20};
     double calm_height_m = 0, storm_height_m = 0;
-    float calm_jacobian = 0, storm_jacobian = 0;
+    double calm_level = 0, storm_level = 0;
     for (const Isa isa : isas_here()) {
         Ocean ocean(calm, {.executor = make_serial_executor(), .isa = isa});
         const Frame& last_calm = ocean.frame_at(1);
@@ -45,7 +45,7 @@ TEST(FrameStatistics, MatchTheSeaOnEveryInstructionSetAndAfterEveryChange) {
         EXPECT_NEAR(last_calm.statistics.significant_wave_height_m / expected_waves(calm).significant_wave_height_m,
                     1, 1e-12);
         const double height_before_m = last_calm.statistics.significant_wave_height_m;
-        const float jacobian_before = last_calm.cascades[0].whitecap_jacobian;
+        const double level_before = last_calm.statistics.foam_level;
         const Frame& first_storm = ocean.complete();
         EXPECT_EQ(first_storm.sea.patch_size_m, 800);
         EXPECT_NEAR(
@@ -53,14 +53,14 @@ TEST(FrameStatistics, MatchTheSeaOnEveryInstructionSetAndAfterEveryChange) {
             1e-12);
         if (isa == isas_here().front()) {
             calm_height_m = height_before_m;
-            calm_jacobian = jacobian_before;
+            calm_level = level_before;
             storm_height_m = first_storm.statistics.significant_wave_height_m;
-            storm_jacobian = first_storm.cascades[0].whitecap_jacobian;
+            storm_level = first_storm.statistics.foam_level;
         }
         EXPECT_EQ(height_before_m, calm_height_m);
-        EXPECT_EQ(jacobian_before, calm_jacobian);
+        EXPECT_EQ(level_before, calm_level);
         EXPECT_EQ(first_storm.statistics.significant_wave_height_m, storm_height_m);
-        EXPECT_EQ(first_storm.cascades[0].whitecap_jacobian, storm_jacobian);
+        EXPECT_EQ(first_storm.statistics.foam_level, storm_level);
     }
 }
 

@@ -121,7 +121,6 @@ void LibraryFrame::gradients() {
                      .normal_length = mean_normal_length(roughness),
                      .smoothness_bits = smoothness_bits(roughness),
                      .rgba16f = halves_.data(),
-                     .foam = {.source = foam_},
                      .levels = {},
                      .averages = mip_averages_.level(GradientsJob::block_levels),
                      .average_stride = mip_averages_.stride(GradientsJob::block_levels)};

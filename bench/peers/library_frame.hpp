@@ -32,9 +32,6 @@ class LibraryFrame {
     /// call. Never allocates, unless the library does.
     const PeerFrame& frame_at(double time_s);
 
-    /// Sets the foam of breaking waves.
-    void set_foam(const FoamSource& source) { foam_ = source; }
-
    protected:
     /// Allocates and bakes. \pre check(sea) is empty, runs_here(isa), N >= 2 lanes of isa
     LibraryFrame(const SeaState& sea, Isa isa, FieldArrangement arrangement);
@@ -58,7 +55,6 @@ class LibraryFrame {
 
     AlignedBuffer<float> planes_;  ///< dx, height, dz
     SeaState sea_;
-    FoamSource foam_{.offset = 255, .scale = 510};
     const Kernels& kernels_;
     const FftwKernels& own_kernels_;
     AlignedBuffer<float> waves_;

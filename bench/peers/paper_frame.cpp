@@ -252,7 +252,7 @@ void PaperFrame::vertical_pass(std::uint32_t column) {
     }
 }
 
-// Equations 42 to 44, written as floats and as halves; foam is computed with the Jacobian.
+// Equations 42 to 44, written as floats and as halves.
 void PaperFrame::finalize(std::uint32_t index) {
     const std::uint32_t x = index & (resolution_ - 1);
     const std::uint32_t y = index >> log_resolution_;
@@ -271,7 +271,7 @@ void PaperFrame::finalize(std::uint32_t index) {
     halves[2] = half_of(dz);
 }
 
-// Equations 45 to 51, with the full normal of the displaced surface (errata), and foam.
+// Equations 45 to 51, with the full normal of the displaced surface (errata).
 void PaperFrame::gradient(std::uint32_t index) {
     const std::uint32_t column = index & (resolution_ - 1);
     const std::uint32_t row = index >> log_resolution_;
@@ -303,8 +303,6 @@ void PaperFrame::gradient(std::uint32_t index) {
 
     const float clamped_jacobian = std::clamp(jacobian, -1.f, 1.f);
     outputs_.rgba8[index] = packed(n_x, n_z, clamped_jacobian, smoothness_);
-    outputs_.rgba16f[4 * static_cast<std::size_t>(index) + 3] =
-        half_of(std::nearbyint(std::clamp(foam_.offset - foam_.scale * jacobian, 0.f, 255.f)) / 255.f);
     chain_[index] = {n_x * normal_length_, n_y * normal_length_, n_z * normal_length_, clamped_jacobian};
 }
 

@@ -65,10 +65,6 @@ class PaperFrame {
     /// call. Never allocates.
     const PeerFrame& frame_at(double time_s);
 
-    /// Sets the foam of breaking waves. The default is the paper's: white where half of the area is
-    /// lost.
-    void set_foam(const FoamSource& source) { foam_ = source; }
-
    private:
     void bake_spectrum();
     void evolve(std::uint32_t index);
@@ -79,7 +75,6 @@ class PaperFrame {
     void halve(int level, std::uint32_t index);
 
     SeaState sea_;
-    FoamSource foam_{.offset = 255, .scale = 510};
     std::uint32_t resolution_;
     int log_resolution_;
     float choppiness_;

@@ -10,7 +10,7 @@ namespace pelagic::peers {
 /// pelagic::Frame.
 struct PeerFrame {
     std::span<const float> dx, height, dz;   ///< N * N each, metres
-    std::span<const std::uint16_t> rgba16f;  ///< 4 * N * N half floats: Dx, height, Dz, foam
+    std::span<const std::uint16_t> rgba16f;  ///< 4 * N * N half floats: Dx, height, Dz, 0
     /// the whole gradient chain, level m at mip_offset(N, m) of sim/frame.hpp
     std::span<const std::uint32_t> rgba8;
 };

@@ -14,7 +14,7 @@ layout(location = 2) in uvec2 level;    // x: level; y: parity of the diagonals
 layout(location = 3) in float inner_weight;
 layout(location = 4) in vec4 edge_weights;  // +x, +z, -x, -z
 
-uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; one layer per cascade
+uniform highp sampler2DArray displacement;  // Dx, height, Dz; one layer per cascade
 #if VERTEX_CASCADES > 0
 uniform highp sampler2DArray slopes;  // the texture of waves.glsl
 out vec4 coarsest;                    // h_x, h_z, D_xx, D_zz of the coarsest cascade

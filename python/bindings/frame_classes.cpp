@@ -58,10 +58,11 @@ py::array plane_of(const CascadeHandle& handle, PlaneView Cascade::*plane, const
     return array;
 }
 
-/// Returns one level of a chain, (N, N, 4) bytes of words or (N, N) bytes.
-template <class Texel>
-py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::*chain, int level,
-                   const char* option) {
+/// A chain of mip levels with one texel in a word.
+using Chain = std::span<const std::uint32_t> Cascade::*;
+
+/// Returns one level of a chain, (N, N, 4) bytes.
+py::array level_of(const CascadeHandle& handle, Chain chain, int level, const char* option) {
     const auto reader = handle.of->read();
     const Cascade& cascade = handle.cascade();
     if ((cascade.*chain).empty())
@@ -70,9 +71,7 @@ py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::
         throw std::invalid_argument(
             invalid_value_message("level", level, "0 to " + number_text(mip_levels(cascade.resolution()) - 1)));
     const py::ssize_t side = cascade.resolution() >> level;
-    Shape shape{side, side};
-    if (sizeof(Texel) == 4) shape.push_back(4);
-    return view_of(*handle.of, py::dtype("u1"), std::move(shape), cascade.level_of(cascade.*chain, level).data());
+    return view_of(*handle.of, py::dtype("u1"), {side, side, 4}, cascade.level_of(cascade.*chain, level).data());
 }
 
 /// Returns the bytes of compression; None for a cascade whose compression makes no foam.
@@ -144,9 +143,7 @@ auto plane_getter(PlaneView Cascade::*plane, const char* option) {
     return [=](const CascadeHandle& handle) { return plane_of(handle, plane, option); };
 }
 
-template <class Texel>
-void add_chain(py::class_<CascadeHandle>& cascade, const std::string& name, std::span<const Texel> Cascade::*chain,
-               const char* option) {
+void add_chain(py::class_<CascadeHandle>& cascade, const std::string& name, Chain chain, const char* option) {
     const std::string of_level = name + "_level";
     cascade.def_property_readonly(
         name.c_str(), [=](const CascadeHandle& handle) { return level_of(handle, chain, 0, option); },
@@ -178,7 +175,6 @@ void add_cascade(py::module_& module) {
     add_chain(cascade, "gradient", &Cascade::gradient_rgba8, "gradients=True");
     add_chain(cascade, "slopes", &Cascade::slopes_rgba8, "slopes=True");
     add_chain(cascade, "moments", &Cascade::moments_rgba8, "slopes=True");
-    add_chain(cascade, "foam", &Cascade::foam_r8, "foam=True and one cascade");
     add(cascade, "compression", &compression_of);
     add(cascade, "snapshots", &snapshots_of);
     add(cascade, "drift", of_cascade(+[](const Cascade& of) { return std::pair(of.drift_columns, of.drift_rows); }));

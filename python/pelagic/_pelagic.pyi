@@ -72,7 +72,7 @@ class Cascade:
 
     @property
     def displacement(self) -> NDArray[np.float16]:
-        """(N, N, 4), a view: Dx, height, Dz in metres, and of one cascade foam from 0 to 1."""
+        """(N, N, 4), a view: Dx, height, Dz in metres, 0."""
     @property
     def height(self) -> NDArray[np.float32]:
         """(N, N), a copy, metres."""
@@ -101,7 +101,8 @@ class Cascade:
     @property
     def slopes(self) -> NDArray[np.uint8]:
         """(N, N, 4), a view: h_x, h_z, D_xx, D_zz, each (byte - 128)/127 of slope_range. They add
-        to those of other cascades. Requires a frame of several cascades, or Ocean(slopes=True)."""
+        to those of other cascades. Requires a frame of several cascades, or Ocean(slopes=True) or
+        foam=True."""
     def slopes_level(self, level: int) -> NDArray[np.uint8]:
         """Mip level `level` of slopes, 0 to levels - 1."""
     @property
@@ -112,18 +113,10 @@ class Cascade:
     def moments_level(self, level: int) -> NDArray[np.uint8]:
         """Mip level `level` of moments, 0 to levels - 1."""
     @property
-    def foam(self) -> NDArray[np.uint8]:
-        """(N, N), a view: foam of a frame of one cascade, 0 (none) to 255 (covered).
-
-        Requires Ocean(foam=True). Several cascades break where their sum does: see
-        Frame.displaced_foam."""
-    def foam_level(self, level: int) -> NDArray[np.uint8]:
-        """Mip level `level` of foam, 0 to levels - 1."""
-    @property
     def compression(self) -> Optional[NDArray[np.uint8]]:
-        """(N, N), a view: compression q = -3 + 8 byte/255 now. The foam of several cascades is that
-        of the sum of their q; see snapshots. None if the cascade makes no foam, and in a frame of
-        one cascade. Requires Ocean(foam=True)."""
+        """(N, N), a view: compression q = -3 + 8 byte/255 now. Foam is that of the sum of the
+        cascades' q; see snapshots. None if the cascade makes no foam. Requires Ocean(foam=True).
+        """
     @property
     def snapshots(self) -> Optional[Tuple[NDArray[np.uint8], ...]]:
         """Four (N, N, 4) views: q at 16 past ticks, snapshot s in image s // 4, byte s % 4. With S
@@ -138,7 +131,7 @@ class Cascade:
         """N, texels along a side."""
     @property
     def levels(self) -> int:
-        """Mip levels of gradient, slopes, moments and foam."""
+        """Mip levels of gradient, slopes and moments."""
     @property
     def patch_size_m(self) -> float:
         """L, the period of the cascade along its axes, in metres."""

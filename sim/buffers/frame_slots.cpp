@@ -47,7 +47,6 @@ Cascade views_of(const CascadeBuffers& buffers, int n, std::size_t lanes) {
         cascade.velocity_z = view(buffers.velocity, surface_dz);
     }
     if (buffers.folds) cascade.folds = buffers.folds->squares();
-    cascade.foam_r8 = {buffers.foam.data(), buffers.foam.size()};
     view_textures(cascade, buffers, {});
     return cascade;
 }
@@ -61,16 +60,14 @@ CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, c
       rgba8(extras.gradients ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       slopes(extras.slopes ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       moments(slopes.size(), extras.memory),
-      foam(extras.foam && cascades == 1 ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
-      compression(extras.foam && cascades > 1 ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0,
-                  extras.memory) {
+      compression(extras.foam ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0, extras.memory) {
     if (extras.folds && cascades == 1) folds.emplace(n, extras.memory);
     if (extras.folds && cascades > 1) contraction.emplace(n, extras.memory);
 }
 
 std::size_t CascadeBuffers::bytes() const {
     return surface.bytes() + velocity.bytes() + rgba16f.bytes() + rgba8.bytes() + slopes.bytes() + moments.bytes() +
-           foam.bytes() + compression.bytes() + (folds ? folds->bytes() : 0) +
+           compression.bytes() + (folds ? folds->bytes() : 0) +
            (contraction ? contraction->bytes() : 0);
 }
 

@@ -24,7 +24,7 @@ struct FrameExtras {
     bool velocities = false;
     bool gradients = true;  ///< normals of each cascade
     bool slopes = false;    ///< slopes, which can be added over the cascades
-    bool foam = false;      ///< foam accumulation and decay
+    bool foam = false;      ///< snapshots of compression
     bool planes = true;     ///< displacement as floats
     Allocator memory = {};  ///< for all buffers whose size grows with N^2
 };
@@ -45,16 +45,7 @@ struct CascadeBuffers {
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameExtras::gradients
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameExtras::slopes
-    /// Mip chain, if FrameExtras::foam and one cascade.
-    AlignedBuffer<std::uint8_t> foam;
-    /// N^2 bytes, if FrameExtras::foam and several cascades.
-    AlignedBuffer<std::uint8_t> compression;
-};
-
-/// The foam of the only cascade at the last tick, and its decay since then.
-struct RememberedFoam {
-    const std::uint8_t* bytes = nullptr;  ///< N^2; null if no foam is accumulated
-    int fade = 0;                         ///< decay since the last tick, in bytes
+    AlignedBuffer<std::uint8_t> compression;       ///< N^2, if FrameExtras::foam
 };
 
 /// Two slots of frame buffers. Stages write to the back slot, which they look up when they run.
@@ -84,8 +75,6 @@ class FrameSlots {
     /// memory.
     const TextureTargets& textures(std::size_t cascade) const { return slots_.back().textures[cascade]; }
     Frame& frame() { return slots_.back().frame; }
-    /// Returns the accumulated foam in the back slot, of a frame with one cascade.
-    RememberedFoam& remembered_foam() { return slots_.back().remembered_foam; }
 
     void swap() { slots_.swap(); }
 
@@ -107,7 +96,6 @@ class FrameSlots {
         std::vector<TextureTargets> elsewhere;     ///< the application's targets
         std::vector<TextureTargets> textures;      ///< the targets that stages write to
         std::vector<Cascade> cascades;
-        RememberedFoam remembered_foam;
         Frame frame;
     };
     std::size_t last_level() const { return static_cast<std::size_t>(mip_levels(resolution()) - 1); }

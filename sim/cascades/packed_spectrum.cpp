@@ -29,20 +29,26 @@ double central_difference(const CascadePlan& cascade, int periods) {
     return det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution).sine / texel_m;
 }
 
-/// Derivative of a wave along an axis of the cascade, as the cascade's texture represents it.
+/// Derivative of a wave along an axis of the cascade, as a texture of the cascade represents it.
 struct ShownSlope {
     double derivative;  ///< 1/m, at texels
     double filter;      ///< factor on the mean square from bilinear filtering between texels
 };
 
+/// Returns the derivative in the textures of slopes and of compression.
 /// \param periods  of the wave along a side of the cascade
-ShownSlope shown_slope(const CascadePlan& cascade, int periods) {
-    if (!cascade.is_banded()) return {central_difference(cascade, periods), 1};  // unfiltered
+ShownSlope filtered_slope(const CascadePlan& cascade, int periods) {
     const double texel_m = cascade.grid.side_m / cascade.resolution;
     const auto [sine, cosine] = det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution);
     // Differences of stage `slopes`; the mean of ((1 - u) a + u b)^2 over u is (a^2 + a b + b^2)/3.
     const double near = SlopesJob::near_weight * sine, far = SlopesJob::far_weight * (2 * sine * cosine);
     return {2 * (near + far) / texel_m, (2 + cosine) / 3};
+}
+
+/// Returns the derivative of which the sea's resolved slopes are made.
+ShownSlope resolved_slope(const CascadePlan& cascade, int periods) {
+    return cascade.is_banded() ? filtered_slope(cascade, periods)
+                               : ShownSlope{central_difference(cascade, periods), 1};
 }
 
 }  // namespace
@@ -58,7 +64,8 @@ LineStatistics& LineStatistics::operator+=(const LineStatistics& other) {
     mean_square_slope += other.mean_square_slope;
     mean_square_convergence += other.mean_square_convergence;
     slopes += other.slopes;
-    folding += other.folding;
+    trace_square += other.trace_square;
+    trace_rate_square += other.trace_rate_square;
     stokes_x += other.stokes_x;
     stokes_z += other.stokes_z;
     return *this;
@@ -88,7 +95,8 @@ LineStatistics between(const LineStatistics& before, const LineStatistics& after
                 .mean_square_slope = of.mean_square_slope * factor,
                 .mean_square_convergence = of.mean_square_convergence * factor,
                 .slopes = of.slopes * factor,
-                .folding = of.folding * factor,
+                .trace_square = of.trace_square * factor,
+                .trace_rate_square = of.trace_rate_square * factor,
                 .stokes_x = of.stokes_x * factor,
                 .stokes_z = of.stokes_z * factor};
     };
@@ -104,13 +112,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
     const int radix = plan.tables().first_step().radix;
     const int n = static_cast<int>(line);
     const double spacing = cascade.spacing();
-    const ShownSlope shown_z = shown_slope(cascade, n);
-    // In a frame of one cascade, stage `gradients` computes the Jacobians, banded or not.
-    const bool folds_as_shown = !cascade.is_banded() || cascades_of(sea) > 1;
-    const auto fold_derivative = [&](const ShownSlope& shown, int periods) {
-        return folds_as_shown ? shown.derivative : central_difference(cascade, periods);
-    };
-    const double fold_z = fold_derivative(shown_z, n);
+    const ShownSlope resolved_z = resolved_slope(cascade, n), filtered_z = filtered_slope(cascade, n);
     const WindDrift usual = usual_foam_drift(sea);
     const CascadeGrid::Place foam_drift = cascade.grid.in_cascade(usual.x_mps, usual.z_mps);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 is its own mirror
@@ -130,8 +132,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
-            const ShownSlope shown_x = shown_slope(cascade, m);
-            const double fold_x = fold_derivative(shown_x, m);
+            const ShownSlope resolved_x = resolved_slope(cascade, m), filtered_x = filtered_slope(cascade, m);
             const double drift = stokes_drift(k, waves.water()) / k;
             const double orbit = orbit_ratio(k, waves.water().depth_m), orbit_square = orbit * orbit;
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
@@ -148,15 +149,21 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 const auto square_rate = [](const Wave& of, double met_frequency) {
                     return std::norm(of.amplitude) * met_frequency * met_frequency;
                 };
-                statistics.folding.add_wave(mirrors * opposites.drawn_square() * orbit_square,
-                                            mirrors *
+                // Trace of the gradient of a displacement of 1 m along the wave, times k.
+                const double k_x = signed_m * spacing, k_z = n * spacing, of_square = 1 / (k_x * k_x + k_z * k_z);
+                const double trace = k_x * (sign * filtered_x.derivative) + k_z * filtered_z.derivative;
+                const double filter = filtered_x.filter * filtered_z.filter;
+                const double moved_square = mirrors * opposites.drawn_square() * orbit_square;
+                statistics.trace_square = filter * (moved_square * of_square * trace * trace);
+                statistics.trace_rate_square = filter *
+                                               (mirrors *
                                                 (square_rate(opposites.along, frequency - drifted) +
                                                  square_rate(opposites.against, frequency + drifted)) *
-                                                orbit_square,
-                                            signed_m * spacing, n * spacing, sign * fold_x, fold_z,
-                                            shown_x.filter * shown_z.filter);
-                statistics.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
-                                           sign * shown_x.derivative, shown_z.derivative);
+                                                orbit_square) *
+                                               of_square * trace * trace;
+                statistics.slopes.add_wave(
+                    mirrors * opposites.expected_square() * resolved_x.filter * resolved_z.filter,
+                    sign * resolved_x.derivative, resolved_z.derivative);
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
                 statistics.stokes_x = running * (signed_m * spacing);
                 statistics.stokes_z = running * (n * spacing);

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "pelagic/sim/foam/whitecaps.hpp"
 #include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/sea_state.hpp"
@@ -44,14 +43,17 @@ struct PackedSpectrum {
 };
 
 /// Contribution of a line's waves, and of its mirror's, to the statistics of the sea. All except
-/// `folding` are means over all seeds.
+/// `trace_square` and `trace_rate_square` are means over all seeds.
 struct LineStatistics {
     double height_variance = 0;    ///< m^2
     double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves, not of the textures
     /// (Dx,x + Dz,z)^2 of the waves, not of the textures, at choppiness 1.
     double mean_square_convergence = 0;
     SlopeMoments slopes;  ///< of the cascade's textures, along the axes of the cascade
-    FoldMoments folding;  ///< of the waves drawn with this sea's seed
+    /// Mean square of Dx,x + Dz,z at choppiness 1, and of its rate of change in 1/s at drifting
+    /// foam: of the waves drawn with this sea's seed, as bilinear filtering between the texels of
+    /// compression shows them, in the mean over all positions.
+    double trace_square = 0, trace_rate_square = 0;
     /// Stokes drift at the surface along the axes of the cascade, m/s.
     double stokes_x = 0, stokes_z = 0;
 

@@ -78,8 +78,6 @@ void Pond::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
     starts.resize(waves_.octaves.size());
     for (std::size_t i = 0; i < starts.size(); ++i) starts[i] = start_of(waves_.octaves[i], fraction);
     cascade.grid = waves_.plan.grid;
-    cascade.whitecap_jacobian = Cascade::no_whitecaps;
-    cascade.whitecap_ramp = 1;
     cascade.slope_ranges = waves_.slope_ranges;
 }
 
@@ -174,7 +172,7 @@ LineStatistics Pond::statistics_of(const Waves& waves) {
     return statistics;
 }
 
-void Pond::begin_spectrum(const SeaState& sea, const CascadePlan& plan, double) { bake_ = waves_of(sea, plan); }
+void Pond::begin_spectrum(const SeaState& sea, const CascadePlan& plan) { bake_ = waves_of(sea, plan); }
 
 LineStatistics Pond::adopt_spectrum(std::size_t, std::size_t) {
     waves_ = *std::exchange(bake_, std::nullopt);

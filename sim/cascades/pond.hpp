@@ -33,7 +33,7 @@ class Pond final : public SeaSource {
     std::size_t bytes() const override;
 
     void add_spectrum_stage(JobGraph& graph) override;
-    void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
+    void begin_spectrum(const SeaState& sea, const CascadePlan& plan) override;
     /// Replaces the waves. A pond holds one sea, because a Forecast of ponds has no changes.
     LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
     const CascadeGrid& grid() const override { return waves_.plan.grid; }

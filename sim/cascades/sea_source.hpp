@@ -63,10 +63,8 @@ class SeaSource {
     virtual void add_spectrum_stage(JobGraph& graph) = 0;
     /// Sets the sea that the next run of the spectrum's stage bakes. adopt_spectrum() makes it
     /// available to frames. A source has no waves before the first adoption.
-    /// \param whitecap_cover  fraction of the sea that the cascade's breaking waves cover with
-    ///                        foam; 0 for none
     /// \pre the plan has the resolution of the slots, and the sea has the source's wave model
-    virtual void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) = 0;
+    virtual void begin_spectrum(const SeaState& sea, const CascadePlan& plan) = 0;
     /// Stores the baked waves under a sea's number, replaces the waves in that place, and returns
     /// their statistics. All stored seas have one grid and one loop period.
     /// \pre place < SpectrumCache::places, and no pass in flight reads that place

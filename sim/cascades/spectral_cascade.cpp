@@ -6,7 +6,6 @@
 
 #include "pelagic/sim/buffers/item_stage.hpp"
 #include "pelagic/sim/cascades/arrival.hpp"
-#include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/simd/constants.hpp"
@@ -101,14 +100,6 @@ const SpectralCascade::Waves& SpectralCascade::waves_of(std::size_t number) cons
     return **found;
 }
 
-SpectralCascade::TextureRanges SpectralCascade::texture_ranges_of(const LineStatistics& statistics, double choppiness,
-                                                                  double whitecap_cover) const {
-    return {whitecap_cover > 0 ? whitecap_threshold(statistics.folding, choppiness, whitecap_cover,
-                                                    TickClock(loop_period_s_).tick_s())
-                               : WhitecapThreshold{.jacobian = Cascade::no_whitecaps, .ramp = 1},
-            slope_ranges(statistics.mean_square_slope, statistics.mean_square_convergence)};
-}
-
 void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
     Shown& shown = shown_[pass];
     const Waves &before = waves_of(moment.before), &after = waves_of(moment.after);
@@ -121,28 +112,22 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     shown.first_frequency = static_cast<float>(two_pi / loop_period_s_);
     shown.fraction = loop_fraction(moment.time_s, loop_period_s_);
     shown.band_weights.clear();
-    TextureRanges ranges = before.texture_ranges;
+    cascade.slope_ranges = before.slope_ranges;
     if (!moment.is_steady()) {
         if (shown.blended.size() == 0) shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), memory_);
-        const auto between_both = [&](double of_before, double of_after) {
-            return (1 - moment.weight) * of_before + moment.weight * of_after;
-        };
-        const double choppiness = between_both(before.choppiness, after.choppiness);
-        shown.choppiness = static_cast<float>(choppiness);
+        shown.choppiness =
+            static_cast<float>((1 - moment.weight) * before.choppiness + moment.weight * after.choppiness);
         LineStatistics statistics = between(before.statistics, after.statistics, moment.weight);
         if (moment.arrival) {
             for (std::size_t band = 0; band < moment.arrival->bands(); ++band)
                 shown.band_weights.push_back(static_cast<float>(moment.arrival->fraction(band, moment.since_s)));
             statistics = between(before.by_band, after.by_band, *moment.arrival, moment.since_s);
         }
-        ranges = texture_ranges_of(statistics, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
+        cascade.slope_ranges = slope_ranges(statistics.mean_square_slope, statistics.mean_square_convergence);
     }
     shown.is_blend = shown.weight != 0 || !shown.band_weights.empty();
     cascade.grid = grid_;
-    cascade.whitecap_jacobian = ranges.whitecaps.jacobian;
-    cascade.whitecap_ramp = ranges.whitecaps.ramp;
-    cascade.slope_ranges = ranges.slope_ranges;
-    shown.is_idle = pass == Pass::tick && foam_weight_ == 0 && !cascade.makes_whitecaps();
+    shown.is_idle = pass == Pass::tick && foam_weight_ == 0;
 }
 
 FrameBounds SpectralCascade::end_frame() {
@@ -156,9 +141,8 @@ FrameBounds SpectralCascade::end_frame() {
     return {all.height_min, all.height_max, all.horizontal_x_max, all.horizontal_z_max};
 }
 
-void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) {
+void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& plan) {
     bake_.emplace(Bake{sea,
-                       whitecap_cover,
                        plan,
                        std::make_unique<std::once_flag>(),
                        {},
@@ -176,9 +160,8 @@ LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t p
     grid_ = bake_->plan.grid;
     loop_period_s_ = sea.loop_period_s;
     foam_weight_ = sea.waves == WaveModel::spectrum ? bake_->plan.foam_weight() : 0;
-    const TextureRanges ranges = texture_ranges_of(all, sea.choppiness, bake_->whitecap_cover);
-    seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all,
-                               std::move(by_band), ranges});
+    seas_[place].emplace(Waves{number, sea.choppiness, std::move(bake_->spectrum), all, std::move(by_band),
+                               slope_ranges(all.mean_square_slope, all.mean_square_convergence)});
     bake_.reset();
     return all;
 }

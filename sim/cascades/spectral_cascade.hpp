@@ -43,7 +43,7 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
     std::size_t bytes() const override;
 
     void add_spectrum_stage(JobGraph& graph) override;
-    void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
+    void begin_spectrum(const SeaState& sea, const CascadePlan& plan) override;
     LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
     const StatisticsByBand* statistics_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
     const CascadeGrid& grid() const override { return grid_; }
@@ -67,21 +67,14 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
     FftPlan plan_;
     FftTables fft_;
 
-    /// Thresholds and ranges with which the cascade's textures are read.
-    struct TextureRanges {
-        WhitecapThreshold whitecaps{.jacobian = 0, .ramp = 1};
-        SlopeRanges slope_ranges;
-    };
-    TextureRanges texture_ranges_of(const LineStatistics& statistics, double choppiness, double whitecap_cover) const;
-
     /// The waves of a sea.
     struct Waves {
         std::size_t number;
-        double choppiness, whitecap_cover;
+        double choppiness;
         PackedSpectrum spectrum;
         LineStatistics statistics;
         StatisticsByBand by_band;
-        TextureRanges texture_ranges;
+        SlopeRanges slope_ranges;
     };
     const Waves& waves_of(std::size_t number) const;
     std::array<std::optional<Waves>, SpectrumCache::places> seas_;
@@ -109,7 +102,6 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
     /// A spectrum being baked.
     struct Bake {
         SeaState sea;
-        double whitecap_cover;
         CascadePlan plan;
         std::unique_ptr<std::once_flag> has_begun;
         /// Computed by the first line that is baked, because it takes longer than a frame may.

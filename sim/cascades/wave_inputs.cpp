@@ -103,7 +103,7 @@ void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
     }
     // A tick computes foam only, and its source computes no surface for a cascade without
     // whitecaps.
-    if (pass == Pass::tick && !at.makes_whitecaps() && at.compression_scale == 0) adds = 0;
+    if (pass == Pass::tick && !at.makes_whitecaps()) adds = 0;
     at.slope_ranges.slope += static_cast<float>(steeper);
     at.slope_ranges.variance += static_cast<float>(steeper * steeper);
 }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "pelagic/sim/foam/tick_clock.hpp"
-#include "pelagic/sim/foam/whitecaps.hpp"
 #include "pelagic/sim/kernels/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/wind_drift.hpp"
@@ -159,17 +158,17 @@ Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeG
 /// statistics include.
 void Weather::Sums::add_foam_of(const LineStatistics& band, const CascadePlan& plan, double frequency_radps,
                                 double drift_of_usual, double tick_s) {
-    if (!(plan.foam_weight() > 0 && band.folding.trace_square > 0)) return;
-    const double square = plan.foam_weight() * plan.foam_weight() * band.folding.trace_square;
+    if (!(plan.foam_weight() > 0 && band.trace_square > 0)) return;
+    const double square = plan.foam_weight() * plan.foam_weight() * band.trace_square;
     // The moments hold the frequency that foam of the usual drift meets.
-    const double met_radps = std::sqrt(band.folding.trace_rate_square / band.folding.trace_square);
+    const double met_radps = std::sqrt(band.trace_rate_square / band.trace_square);
     const double rate_radps = frequency_radps + drift_of_usual * (met_radps - frequency_radps);
     const Compression all{square, square * rate_radps * rate_radps};
     const double k = frequency_radps * frequency_radps / gravity_mps2, texel_m = plan.grid.side_m / plan.resolution;
     compression.square += all.square;
     compression.rate_square += all.rate_square;
     for (std::size_t tick = 0; tick < contraction.size(); ++tick)
-        contraction[tick] += plan.foam_weight() * band.folding.trace_square *
+        contraction[tick] += plan.foam_weight() * band.trace_square *
                              det::sine_cosine_of_turns(static_cast<double>(tick) * tick_s * rate_radps / two_pi).cosine;
     for (std::size_t width = 0; width < FoamFilter::widths; ++width) {
         const double width_m = std::ldexp(FoamFilter::first_width_m, static_cast<int>(width));
@@ -241,10 +240,8 @@ std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
 }
 
 void Weather::begin(const SeaState& sea, const std::vector<CascadePlan>& plans, Sources sources) {
-    // A cascade has a whitecap threshold of its own only if it is the only one.
-    const bool has_threshold = plans.size() == 1 && plans.front().foam_weight() > 0;
     for (std::size_t cascade = 0; cascade < plans.size(); ++cascade)
-        sources[cascade]->begin_spectrum(sea, plans[cascade], has_threshold ? whitecap_cover(sea) : 0);
+        sources[cascade]->begin_spectrum(sea, plans[cascade]);
 }
 
 void Weather::begin(std::size_t number, Sources sources) {

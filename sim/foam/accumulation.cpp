@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 
-static_assert(FoamAccumulation::fading_ticks == 255.0 / FoamTickJob::fade);
+static_assert(FoamAccumulation::fading_ticks == TickClock::kept_ticks - 1);
 
 namespace {
 
@@ -41,25 +41,17 @@ double at_age(const FoamAccumulation::Contraction& contraction, double ticks) {
     return contraction[before] + (ticks - static_cast<double>(before)) * after;
 }
 
-/// Returns the level in [0, 9] of a cover. \param cover  a function of the level
-/// Secant method; rarity(cover(level)) is nearly linear.
-template <class Cover>
-double level_with(double target, const Cover& cover) {
-    const double goal = rarity(target);
-    double last = 1, level = 3;
-    double last_rarity = rarity(cover(last));
-    for (int step = 0; step < 5; ++step) {
-        const double level_rarity = rarity(cover(level));
-        if (level_rarity == last_rarity) break;
-        const double next = level + (goal - level_rarity) * (level - last) / (level_rarity - last_rarity);
-        last = level;
-        last_rarity = level_rarity;
-        level = std::clamp(next, 0.0, 9.0);
-    }
-    return level;
+}  // namespace
+
+double whitecap_cover(double wind_speed_mps) {
+    // Below the minimum, waves are invisible and the power would underflow.
+    constexpr double min_wind_mps = 0.01;
+    return std::min(0.4, 3.84e-6 * det::pow(std::max(wind_speed_mps, min_wind_mps), 3.41));
 }
 
-}  // namespace
+double whitecap_cover(const SeaState& sea) {
+    return sea.waves == WaveModel::spectrum ? whitecap_cover(sea.wind_speed_mps) : 0;
+}
 
 FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s, double ramp)
     : ramp_(ramp),
@@ -82,10 +74,6 @@ double FoamAccumulation::cover(double level) const {
         cover += node.weight * (1 - (1 - all_white) * det::exp(-crossings / (1 - all_white)));
     }
     return cover;
-}
-
-double FoamAccumulation::level_of(double target) const {
-    return level_with(target, [&](double level) { return cover(level); });
 }
 
 double FoamAccumulation::cover_of_area(double level, const Contraction& contraction) const {
@@ -115,8 +103,20 @@ double FoamAccumulation::cover_of_area(double level, const Contraction& contract
     return cover;
 }
 
+// Secant method; the rarity is nearly linear in the level.
 double FoamAccumulation::level_of_area(double target, const Contraction& contraction) const {
-    return level_with(target, [&](double level) { return cover_of_area(level, contraction); });
+    const double goal = rarity(target);
+    double last = 1, level = 3;
+    double last_rarity = rarity(cover_of_area(last, contraction));
+    for (int step = 0; step < 5; ++step) {
+        const double level_rarity = rarity(cover_of_area(level, contraction));
+        if (level_rarity == last_rarity) break;
+        const double next = level + (goal - level_rarity) * (level - last) / (level_rarity - last_rarity);
+        last = level;
+        last_rarity = level_rarity;
+        level = std::clamp(next, 0.0, 9.0);
+    }
+    return level;
 }
 
 }  // namespace pelagic

@@ -40,7 +40,16 @@
 
 #include <array>
 
+#include "pelagic/sim/sea_state.hpp"
+
 namespace pelagic {
+
+/// Returns the fraction of the sea that whitecaps cover: 3.84e-6 U10^3.41, at most 0.4 (Monahan and
+/// O'Muircheartaigh 1980). \param wind_speed_mps  U10, m/s
+double whitecap_cover(double wind_speed_mps);
+/// Returns the whitecap cover of a sea. It is 0 for pond waves, and for analytic waves, whose
+/// steepness of at most 0.4 is below the breaking limit k A = 0.443 (Michell 1893).
+double whitecap_cover(const SeaState& sea);
 
 class FoamAccumulation {
    public:
@@ -56,16 +65,14 @@ class FoamAccumulation {
     /// \param ramp             s, deviations, above 0
     FoamAccumulation(double frequency_radps, double tick_s, double ramp = ramp_deviations);
 
-    /// Returns the mean fraction of the sea under foam. \param level  z_w, in [0, 9]
+    /// Returns the mean fraction of undisplaced water under foam. \param level  z_w, in [0, 9]
     double cover(double level) const;
-
-    /// Returns z_w, in [0, 9], for a cover in (0, 0.4]; error below 1e-4 if a solution exists.
-    double level_of(double cover) const;
 
     /// k(a) at ages of 0, 1, 2 to 15 ticks.
     using Contraction = std::array<double, 16>;
-    /// As cover() and level_of(), of the sea's area.
+    /// Returns the mean fraction of the sea's area under foam.
     double cover_of_area(double level, const Contraction& contraction) const;
+    /// Returns z_w, in [0, 9], for a cover in (0, 0.4]; error below 1e-4 if a solution exists.
     double level_of_area(double cover, const Contraction& contraction) const;
 
    private:

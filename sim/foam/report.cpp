@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "pelagic/sim/foam/accumulation.hpp"
 #include "pelagic/sim/foam/drift.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
-#include "pelagic/sim/foam/whitecaps.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {

@@ -128,16 +128,14 @@ void FoamSnapshots::compress_rows(std::size_t cascade, std::size_t job) {
     if (!from.is_there) return;
     const int n = slots_.resolution();
     const PresentCompression bytes = bytes_of_compression(from.scale);
-    // The derivatives are those of the stage that computes the frame's Jacobians.
-    const bool is_one = cascades_.size() == 1;
-    const double near = is_one ? 0.5 : SlopesJob::near_weight, far = is_one ? 0 : SlopesJob::far_weight;
     kernels_.compression({.surface = slots_.surface(cascade),
                           .resolution = static_cast<std::size_t>(n),
                           .block_stride = column_block_floats(n, kernels_.lanes),
                           .cosine = static_cast<float>(from.grid.cosine),
                           .sine = static_cast<float>(from.grid.sine),
-                          .far_over_near = static_cast<float>(far / near),
-                          .factor = static_cast<float>(double{bytes.factor} * near / (from.grid.side_m / n)),
+                          .far_over_near = static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight),
+                          .factor = static_cast<float>(double{bytes.factor} * SlopesJob::near_weight /
+                                                       (from.grid.side_m / n)),
                           .offset = bytes.offset,
                           .first_row = job * snapshot_rows_a_job,
                           .rows = snapshot_rows_a_job,
@@ -190,7 +188,7 @@ void FoamSnapshots::show(const TickClock& clock, const TickPlace& time) {
         cascade.drift_columns = shift(from.drift.x);
         cascade.drift_rows = shift(from.drift.z);
         cascade.compression_r8 = {};
-        if (from.is_there && cascades_.size() > 1)
+        if (from.is_there)
             cascade.compression_r8 = {slots_.buffers(i).compression.data(), slots_.buffers(i).compression.size()};
         for (std::size_t image = 0; image < SnapshotFoam::images; ++image) {
             const Image& now = from.images[image];

@@ -1,4 +1,4 @@
-// Snapshots of the compression of several cascades, at foam ticks (snapshot_foam.hpp).
+// Snapshots of the compression of cascades, at foam ticks (snapshot_foam.hpp).
 //
 // A snapshot is a pure function of its time, so a frame after a jump in time computes 16 of them
 // and has the same bytes as a frame that was reached step by step. Snapshots are stored in the

@@ -10,13 +10,10 @@ namespace pelagic {
 
 FoamPart::FoamPart(FrameSlots& slots, const Weather& weather, const Kernels& kernels, bool repeats,
                    const Allocator& memory)
-    : slots_(slots), weather_(weather), repeats_(repeats), snapshots_(slots, kernels, memory) {
-    if (slots.cascade_count() == 1) history_.emplace(slots, kernels, memory);
-}
+    : slots_(slots), weather_(weather), repeats_(repeats), snapshots_(slots, kernels, memory) {}
 
 void FoamPart::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) {
     if (pass == Pass::frame) return;
-    if (history_) surfaces_done[0] = history_->add_tick_stage(graph, surfaces_done[0]);
     const std::vector<StageId> read = snapshots_.add_tick_stages(graph, surfaces_done);
     std::copy(read.begin(), read.end(), surfaces_done.begin());
 }
@@ -35,7 +32,6 @@ void FoamPart::begin_frame(const PassMoment& at) {
         if (repeats_ && weather_.forecast().changes.empty()) ahead = clock().in_loop(ahead);
     }
     set_due(static_cast<int>(ahead < 0 ? all : std::min(ahead, all)));
-    if (due_.count == all && history_) history_->forget();
     if (due_.count == 0) set_views();
 }
 
@@ -44,9 +40,6 @@ void FoamPart::begin_tick(const PassMoment& at) {
     for (std::size_t cascade = 0; cascade < at.cascades.size(); ++cascade)
         snapshots_.begin_tick(cascade, at.cascades[cascade].grid, at.cascades[cascade].compression_scale, clock(),
                               number);
-    if (history_)
-        history_->advance(at.cascades[0],
-                          drift_of(at.statistics, at.cascades[0].grid, slots_.resolution(), clock(), number));
     newest_tick_ = number;
     set_due(due_.count - 1);
     if (due_.count == 0) set_views();
@@ -73,9 +66,7 @@ void FoamPart::before_change(const SeaChange& next) {
         forget();
 }
 
-std::size_t FoamPart::bytes() const {
-    return sizeof *this + snapshots_.bytes() + (history_ ? history_->bytes() : 0);
-}
+std::size_t FoamPart::bytes() const { return sizeof *this + snapshots_.bytes(); }
 
 /// Sets the drift of the snapshots, which is constant while all of them are computed with it: that
 /// of the sea with the larger weight. Snapshots of another drift are discarded.
@@ -99,9 +90,6 @@ void FoamPart::set_due(int count) {
 
 /// Gives the frame the foam of the kept ticks.
 void FoamPart::set_views() {
-    if (history_)
-        slots_.remembered_foam() = {history_->remembered(),
-                                    static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.fraction >> 32)};
     slots_.frame().foam.level = static_cast<float>(slots_.frame().statistics.foam_level);
     snapshots_.show(clock(), frame_tick_);
 }

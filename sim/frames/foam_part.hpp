@@ -8,7 +8,6 @@
 #include "pelagic/sim/buffers/frame_part.hpp"
 #include "pelagic/sim/buffers/frame_slots.hpp"
 #include "pelagic/sim/cascades/weather.hpp"
-#include "pelagic/sim/foam/history.hpp"
 #include "pelagic/sim/foam/snapshots.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
@@ -43,7 +42,6 @@ class FoamPart final : public FramePart {
     FrameSlots& slots_;
     const Weather& weather_;
     bool repeats_;
-    std::optional<FoamHistory> history_;  ///< with one cascade
     FoamSnapshots snapshots_;
     std::optional<std::size_t> drift_sea_;     ///< sea with whose drift snapshots are stored
     TickPlace frame_tick_;                     ///< of the frame that was begun last

@@ -12,10 +12,11 @@ namespace {
 
 std::size_t cascade_count_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
-/// Adds what frames always have: gradients of one cascade, slopes of several.
+/// Adds what frames always have: gradients of one cascade, slopes of several. The stage that
+/// computes slopes also computes the compression of foam.
 FrameExtras completed(FrameExtras extras, std::size_t cascades) {
     extras.gradients |= cascades == 1;
-    extras.slopes |= cascades > 1;
+    extras.slopes |= cascades > 1 || extras.foam;
     return extras;
 }
 

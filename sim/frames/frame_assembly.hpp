@@ -54,7 +54,7 @@ class FrameAssembly {
     Weather::Sources sources() const { return sources_; }
     FrameSlots& slots() { return slots_; }
     FrameContents contents() const {
-        return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.foam, extras_.planes};
+        return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.planes};
     }
     std::size_t cascade_count() const { return slots_.cascade_count(); }
     int resolution() const { return slots_.resolution(); }

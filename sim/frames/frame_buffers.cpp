@@ -37,7 +37,6 @@ std::string check_buffers(const FrameBuffers& buffers, int resolution, const Fra
         {"gradient_rgba8", buffers.gradient_rgba8.size(), chain, contents.gradients, "gradients"},
         {"slopes_rgba8", buffers.slopes_rgba8.size(), chain, contents.slopes, "slopes"},
         {"moments_rgba8", buffers.moments_rgba8.size(), chain, contents.slopes, "slopes"},
-        {"foam_r8", buffers.foam_r8.size(), chain, contents.foam, "foam"},
     };
     for (const Field& field : fields) {
         if (field.size == 0) continue;
@@ -59,8 +58,6 @@ std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_co
         return "there are buffers of " + number_text(cascades.size()) + " cascades, expected " +
                number_text(cascade_count);
     for (const FrameBuffers& buffers : cascades) {
-        if (!buffers.foam_r8.empty() && cascade_count > 1)
-            return "foam_r8 is requested, but only frames of one cascade have it";
         if (std::string reason = check_buffers(buffers, resolution, contents); !reason.empty()) return reason;
     }
     return {};
@@ -107,7 +104,6 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
                   {.velocities = first.velocity_x.data != nullptr,
                    .gradients = !first.gradient_rgba8.empty(),
                    .slopes = !first.slopes_rgba8.empty(),
-                   .foam = frame.has_foam,
                    .planes = first.height.data != nullptr}));
     for (std::size_t i = 0; i < cascades.size(); ++i)
         if (!cascades[i].displacement_rgba16f.empty() && frame.cascades[i].displacement_rgba16f.empty())
@@ -126,7 +122,6 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
         copy_all(from.gradient_rgba8, to.gradient_rgba8);
         copy_all(from.slopes_rgba8, to.slopes_rgba8);
         copy_all(from.moments_rgba8, to.moments_rgba8);
-        copy_all(from.foam_r8, to.foam_r8);
     }
 }
 

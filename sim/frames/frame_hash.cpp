@@ -1,8 +1,6 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include <algorithm>
-#include <array>
 #include <vector>
 
 #include "pelagic/sim/frame.hpp"
@@ -11,28 +9,10 @@ namespace pelagic {
 
 static_assert(std::endian::native == std::endian::little, "the hash is defined over little-endian bytes");
 
-namespace {
-
-/// Hashes the half floats of the displacement, with foam replaced by 0.
-void update_with_displacement(XXH3_state_t& state, std::span<const std::uint16_t> rgba16f) {
-    constexpr std::size_t halves_at_once = 4096;
-    std::array<std::uint16_t, halves_at_once> halves;
-    while (!rgba16f.empty()) {
-        const std::size_t count = std::min(rgba16f.size(), halves_at_once);
-        std::copy_n(rgba16f.data(), count, halves.data());
-        for (std::size_t i = 3; i < count; i += 4) halves[i] = 0;
-        XXH3_64bits_update(&state, halves.data(), count * sizeof halves[0]);
-        rgba16f = rgba16f.subspan(count);
-    }
-}
-
-}  // namespace
-
 std::uint64_t foam_hash_of(const Frame& frame) {
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
     for (const Cascade& cascade : frame.cascades) {
-        XXH3_64bits_update(&state, cascade.foam_r8.data(), cascade.foam_r8.size());
         XXH3_64bits_update(&state, cascade.compression_r8.data(), cascade.compression_r8.size());
         for (const std::span<const std::uint32_t> image : cascade.snapshots_rgba8)
             XXH3_64bits_update(&state, image.data(), image.size_bytes());
@@ -58,7 +38,7 @@ std::uint64_t hash_of(const Frame& frame) {
                 XXH3_64bits_update(&state, row.data(), row.size() * sizeof(float));
             }
         }
-        update_with_displacement(state, cascade.displacement_rgba16f);
+        XXH3_64bits_update(&state, cascade.displacement_rgba16f.data(), cascade.displacement_rgba16f.size_bytes());
         if (frame.cascades.size() == 1) {
             XXH3_64bits_update(&state, cascade.gradient_rgba8.data(), cascade.gradient_rgba8.size_bytes());
         } else {

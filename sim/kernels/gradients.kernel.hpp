@@ -2,11 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/sim/kernels/block_surface.kernel.hpp"
-#include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/simd/exact.kernel.hpp"
@@ -74,8 +72,7 @@ inline void normals_of_rows(const GradientsJob& job, const Surface& surface, con
 /// Writes level 0 and the half floats of two rows of a block, and the averages of level 1. The
 /// job's members are read once, before the stores, because the compiler must assume that stores
 /// change them.
-/// \tparam FoamRows  NoFoamRows: no half floats
-template <class Arch, class FoamRows, class Surface>
+template <class Arch, bool with_halves, class Surface>
 inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size_t z, std::size_t columns,
                       const NormalRow (&normals)[2], float* averages, std::size_t plane_stride) {
     using V = xsimd::batch<float, Arch>;
@@ -84,9 +81,7 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
     const I smoothness(static_cast<std::int32_t>(static_cast<std::uint32_t>(job.smoothness_bits) >> 24));
     const std::size_t n = job.resolution;
     std::uint32_t* texels = job.levels[0] + z * n + job.first_column;
-    constexpr bool with_halves = !std::is_same_v<FoamRows, NoFoamRows>;
     std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
-    FoamRows foam(job.foam, z * n + job.first_column, n, columns);
     auto rows = surface.rows(job.first_column, z);
 
     // Packs W columns of two rows and adds both rows.
@@ -94,15 +89,14 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
         for (std::size_t i = 0; i < 2; ++i) {
             const auto normal = [&](NormalPlane plane) { return V::load_aligned(normals[i][plane] + column); };
             const V inverse = normal(inverse_length);
-            const V jacobian = normal(normal_y) * jacobian_factor;
-            const V clamped_jacobian = clamped<Arch>(jacobian, -1.f, 1.f);
+            const V clamped_jacobian = clamped<Arch>(normal(normal_y) * jacobian_factor, -1.f, 1.f);
             const V to_byte = inverse * byte_factor;
             store_texels<Arch>(gradient_texels<Arch>(normal(normal_x) * to_byte, normal(normal_z) * to_byte,
                                                      clamped_jacobian * byte_factor, smoothness),
                                texels + i * n + column);
             if constexpr (with_halves)
                 store_halves<Arch>(rows.at(surface_dx, i), rows.at(surface_height, i), rows.at(surface_dz, i),
-                                   foam.show(jacobian, i, column), halves + 4 * (i * n + column));
+                                   V(0.f), halves + 4 * (i * n + column));
             const V scaled = inverse * normal_length;
             const V averaged[mip_planes] = {normal(normal_x) * scaled, normal(normal_y) * scaled,
                                             normal(normal_z) * scaled, clamped_jacobian};
@@ -125,7 +119,6 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
             average_texels<Arch>(low, low, averages + column / 2, plane_stride);
         }
     }
-    foam.write();
 }
 
 /// Executes a GradientsJob, for any surface type that has rows() and differences_of_row().
@@ -159,15 +152,10 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
         else
             normals_of_rows<Arch>(job, surface, NotTurned{}, z, columns, normals);
         float* averages = level_1.row(row / 2);
-        const auto pack = [&]<class FoamRows>() {
-            pack_rows<Arch, FoamRows>(job, surface, z, columns, normals, averages, level_1.plane_stride());
-        };
-        if (!job.rgba16f)
-            pack.template operator()<NoFoamRows>();
-        else if (!job.foam.remembered)
-            pack.template operator()<FreshFoam<Arch>>();
+        if (job.rgba16f)
+            pack_rows<Arch, true>(job, surface, z, columns, normals, averages, level_1.plane_stride());
         else
-            pack.template operator()<ShownFoamRows<Arch, GradientsJob::block_columns>>();
+            pack_rows<Arch, false>(job, surface, z, columns, normals, averages, level_1.plane_stride());
         texels_of_row<Arch>(averages, level_1.plane_stride(), columns / 2, texels(1) + row / 2 * (n / 2));
     }
     make_level<Arch>(rows / 4, columns / 4, level_1, level_2, texels(2), n / 4);

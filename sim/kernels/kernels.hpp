@@ -91,22 +91,6 @@ struct ColumnsFinalizeJob {
     PlaneBounds* bounds;
 };
 
-/// Foam that breaking generates, in whole bytes: nearest(clamp(offset - scale J, 0, 255)).
-struct FoamSource {
-    float offset = 0, scale = 0;
-};
-
-/// Foam of a cascade in a frame: at each texel the maximum of the foam generated now and the
-/// accumulated foam minus `fade`.
-struct ShownFoam {
-    FoamSource source;
-    /// Accumulated foam of the last tick, N^2 bytes. If null, there is none and `bytes` is not
-    /// written.
-    const std::uint8_t* remembered = nullptr;
-    int fade = 0;
-    std::uint8_t* bytes = nullptr;  ///< N^2
-};
-
 /// Compression of a cascade in a frame, in bytes: nearest(clamp(offset + factor (Dx,x + Dz,z), 0,
 /// 255)) for slopes in units of a byte step.
 struct PresentCompression {
@@ -123,7 +107,7 @@ inline constexpr std::size_t mip_planes = 4;
 ///   central differences with wrap (equations 45, 46),
 ///   the full normal N = (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)),
 ///   the Jacobian J (48),
-/// packs them (50, 51), writes the half floats with foam as a fraction of 255, then block_levels
+/// packs them (50, 51), writes the half floats, then block_levels
 /// levels of averages (52, 53). block_rows and block_columns are the size of the block.
 struct GradientsJob {
     static constexpr std::size_t block_rows = 16, block_columns = 256;
@@ -137,9 +121,8 @@ struct GradientsJob {
     float jacobian_factor;                ///< 1 / two_texels_m^2
     float normal_length;                  ///< equation 49 at the sea's roughness
     std::int32_t smoothness_bits;         ///< 1 - sqrt(roughness) as the highest byte of a texel
-    /// Tight rows of four halves per texel; null: not written.
+    /// Tight rows of four halves per texel, the fourth 0; null: not written.
     std::uint16_t* rgba16f;
-    ShownFoam foam;                           ///< written with the half floats
     std::uint32_t* levels[block_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
     float* averages;                          ///< averages of level 3, for MipLevelJob
     std::size_t average_stride;
@@ -215,31 +198,6 @@ struct SlopeLevelJob {
     std::size_t stride;
     float variance_factor;
     std::uint32_t *slopes, *moments;  ///< side^2 each
-};
-
-/// One tick of foam accumulation and decay in a cascade: after = max(source(J), before - fade).
-/// `before` is shifted by whole texels, with wrap. Derivatives are those of GradientsJob.
-struct FoamTickJob {
-    static constexpr std::size_t max_resolution = 2048;
-    static constexpr int fade = 17;
-
-    const float* surface;  ///< all column blocks
-    std::size_t resolution;
-    std::size_t block_stride;
-    float cosine, sine;       ///< as in GradientsJob
-    float difference_factor;  ///< 1 / (2 L / N)
-    FoamSource source;
-    const std::uint8_t* before;    ///< N^2
-    std::size_t shift_x, shift_z;  ///< along the cascade's axes, less than N
-    std::size_t first_row, rows;   ///< even
-    std::uint8_t* after;           ///< N^2, only the job's rows are written; aliases no input
-};
-
-/// Averages each 2 x 2 bytes; halves round up.
-struct HalveFoamJob {
-    const std::uint8_t* from;  ///< 4 side^2
-    std::size_t side;
-    std::uint8_t* to;  ///< side^2
 };
 
 /// Compression at all texels of a cascade's rows: offset + factor (Dx,x + Dz,z), in bytes that are
@@ -463,8 +421,6 @@ struct Kernels {
     void (*mip_level)(const MipLevelJob&);
     void (*slopes)(const SlopesJob&);
     void (*slope_level)(const SlopeLevelJob&);
-    void (*foam_tick)(const FoamTickJob&);
-    void (*halve_foam)(const HalveFoamJob&);
     void (*compression)(const CompressionJob&);
     void (*snapshot)(const SnapshotJob&);
     void (*halve_snapshots)(const HalveSnapshotsJob&);

@@ -9,7 +9,6 @@
 #include "pelagic/sim/kernels/contraction.kernel.hpp"
 #include "pelagic/sim/kernels/dynamic_waves_step.kernel.hpp"
 #include "pelagic/sim/kernels/evolve_rows.kernel.hpp"
-#include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/folds.kernel.hpp"
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/inputs.kernel.hpp"
@@ -39,8 +38,6 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::mip_level<xsimd::PELAGIC_ISA_ARCH>,
     kernels::slopes<xsimd::PELAGIC_ISA_ARCH>,
     kernels::slope_level<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::foam_tick<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::halve_foam<xsimd::PELAGIC_ISA_ARCH>,
     kernels::compression<xsimd::PELAGIC_ISA_ARCH>,
     kernels::snapshot<xsimd::PELAGIC_ISA_ARCH>,
     kernels::halve_snapshots<xsimd::PELAGIC_ISA_ARCH>,

@@ -28,23 +28,6 @@ FoamSampler::Texels FoamSampler::texels_at(const Cascade& cascade, double column
 }
 
 float FoamSampler::at(double x_m, double z_m, const FoamWeights* weights) const {
-    if (cascades_.size() > 1) return of_snapshots(x_m, z_m, weights);
-    const Cascade& cascade = cascades_.front();
-    const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
-    const float foam = of_one_cascade(place.along / cascade.texel_m(), place.across / cascade.texel_m());
-    return weights ? weights->front() * foam : foam;
-}
-
-float FoamSampler::of_one_cascade(double columns, double rows) const {
-    const Cascade& cascade = cascades_.front();
-    const Texels texels = texels_at(cascade, columns, rows);
-    float sum = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        sum += texels.weight[i] * static_cast<float>(cascade.foam_r8[texels.index[i]]);
-    return std::min(sum * (1.f / 255), 1.f);  // the weights' sum may exceed 1 by rounding
-}
-
-float FoamSampler::of_snapshots(double x_m, double z_m, const FoamWeights* weights) const {
     std::array<Texels, max_cascades> drifted;
     std::array<const Cascade*, max_cascades> cascades;
     FoamWeights factors;

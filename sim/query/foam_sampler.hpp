@@ -23,12 +23,9 @@ class FoamSampler {
     /// Returns whether the frame's cascades have foam.
     bool has_foam() const { return has_foam_; }
     /// Returns the foam of water with the reference position (x_m, z_m), [0, 1].
-    /// \param weights  factors of the foam of one cascade, or of the compression of several; null:
-    ///                 all 1
+    /// \param weights  factors of the cascades' compression; null: all 1
     /// \pre has_foam(), and the position is finite
     float at(double x_m, double z_m, const FoamWeights* weights = nullptr) const;
-    /// As above, for the only cascade of a frame, at texel coordinates.
-    float of_one_cascade(double columns, double rows) const;
 
    private:
     /// Four texels around a position, and their weights.
@@ -37,7 +34,6 @@ class FoamSampler {
         std::array<float, 4> weight;
     };
     static Texels texels_at(const Cascade& cascade, double columns, double rows);
-    float of_snapshots(double x_m, double z_m, const FoamWeights* weights) const;
 
     std::span<const Cascade> cascades_;
     const SnapshotFoam& foam_;

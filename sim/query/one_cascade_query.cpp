@@ -135,8 +135,8 @@ void OneCascadeQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk&
 void OneCascadeQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
     const PointChunk::World& rest = chunk.rest;
     for (std::size_t i = 0; i < foam.size(); ++i)
-        foam[i] = foam_.of_one_cascade(rest.cell_x[i] + static_cast<double>(rest.u[i]),
-                                       rest.cell_z[i] + static_cast<double>(rest.v[i]));
+        foam[i] = foam_.at((rest.cell_x[i] + static_cast<double>(rest.u[i])) * texel_m_,
+                           (rest.cell_z[i] + static_cast<double>(rest.v[i])) * texel_m_);
 }
 
 // Searches the cells within the largest displacement of the position: no others can be displaced to

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "pelagic/sim/buffers/item_stage.hpp"
-#include "pelagic/sim/foam/foam_source.hpp"
 #include "pelagic/sim/foam/snapshots.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
@@ -32,7 +31,7 @@ Pieces pieces_of(int resolution) {
 
 SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels,
                              const FrameExtras& extras)
-    : slots_(slots), cascade_(cascade), kernels_(kernels), resolution_(slots.resolution()), has_foam_(extras.foam) {
+    : slots_(slots), cascade_(cascade), kernels_(kernels), resolution_(slots.resolution()) {
     if (extras.gradients) gradient_averages_.emplace(resolution_, extras.memory);
     if (extras.slopes) slope_averages_.emplace(resolution_, extras.memory, slope_planes);
 }
@@ -87,42 +86,16 @@ void SurfaceStages::add_tails(JobGraph& graph, StageId gradients_done, StageId s
                    .body = for_each_item([tail](std::size_t) { tail(); }),
                    .stack_bytes = stack_margin});
     };
-    if (gradient_averages_) {
-        if (slots_.cascade_count() == 1) add_foam_tail(graph, gradients_done);
+    if (gradient_averages_)
         add("mipmaps tail", {gradients_done}, [this] {
             if (!slope_averages_) slots_.release_surface(cascade_);
             mipmaps_tail();
         });
-    }
     if (slope_averages_)
         add("slopes tail", {gradients_done, slopes_done}, [this] {
             slots_.release_surface(cascade_);
             slope_maps().make_tail(kernels_);
         });
-}
-
-void SurfaceStages::add_foam_tail(JobGraph& graph, StageId foam_done) {
-    if (!has_foam_) return;
-    const auto tail = [this](std::size_t) {
-        std::uint8_t* const chain = slots_.buffers(cascade_).foam.data();
-        for (int level = 1; level < mip_levels(resolution_); ++level)
-            kernels_.halve_foam({.from = chain + mip_offset(resolution_, level - 1),
-                                 .side = static_cast<std::size_t>(resolution_) >> level,
-                                 .to = chain + mip_offset(resolution_, level)});
-    };
-    graph.add({.name = stage_name("foam tail", cascade_),
-               .count = 1,
-               .waits_for = {foam_done},
-               .body = for_each_item(tail),
-               .stack_bytes = stack_margin});
-}
-
-ShownFoam SurfaceStages::shown_foam() {
-    const RememberedFoam& remembered = slots_.remembered_foam();
-    return {.source = foam_source(slots_.cascade(cascade_)),
-            .remembered = remembered.bytes,
-            .fade = remembered.fade,
-            .bytes = slots_.buffers(cascade_).foam.data()};
 }
 
 PresentCompression SurfaceStages::present_compression() {
@@ -148,7 +121,6 @@ GradientsJob SurfaceStages::gradients_job() {
                      .normal_length = mean_normal_length(roughness),
                      .smoothness_bits = smoothness_bits(roughness),
                      .rgba16f = slopes_make_halves() ? nullptr : textures.displacement_rgba16f,
-                     .foam = shown_foam(),
                      .levels = {},
                      .averages = gradient_averages_->level(GradientsJob::block_levels),
                      .average_stride = gradient_averages_->stride(GradientsJob::block_levels),

@@ -1,5 +1,4 @@
-// Stages `gradients+mipmaps`, `mipmaps tail`, `slopes+mipmaps`, `slopes tail` and `foam tail`: they
-// compute the textures of a cascade from its displacement. Stage `columns+textures` replaces the
+// Stages `gradients+mipmaps`, `mipmaps tail`, `slopes+mipmaps` and `slopes tail`: they compute the textures of a cascade from its displacement. Stage `columns+textures` replaces the
 // first of each map in frames without planes.
 #pragma once
 
@@ -36,8 +35,6 @@ class SurfaceStages {
 
    private:
     void add_tails(JobGraph& graph, StageId gradients_done, StageId slopes_done);
-    void add_foam_tail(JobGraph& graph, StageId foam_done);
-    ShownFoam shown_foam();
     PresentCompression present_compression();
     GradientsJob gradients_job();
     void gradients_mipmaps(std::size_t piece);
@@ -45,15 +42,13 @@ class SurfaceStages {
     void mipmaps_tail();
     /// \param surface  null for the tail
     SlopeMaps slope_maps(const float* surface = nullptr);
-    /// Returns whether the slope stages write the half floats and the compression. With one cascade
-    /// the gradient stages write the half floats, with foam. Several cascades always have slopes.
-    bool slopes_make_halves() const { return slots_.cascade_count() > 1; }
+    /// Returns whether the slope stages write the half floats. Else the gradient stages do.
+    bool slopes_make_halves() const { return slope_averages_.has_value(); }
 
     FrameSlots& slots_;
     std::size_t cascade_;
     const Kernels& kernels_;
     int resolution_;
-    bool has_foam_;
     std::optional<MipAverages> gradient_averages_, slope_averages_;
 };
 

@@ -236,9 +236,6 @@ class pelagic_cascade(ctypes.Structure):
         ("levels", c_int32),
         ("level_offset", c_uint32 * 12),
         ("bounds", pelagic_bounds),
-        ("whitecap_jacobian", c_float),
-        ("foam_r8", POINTER(c_uint8)),
-        ("whitecap_ramp", c_float),
         ("reserved_1", c_uint32),
         ("compression_r8", POINTER(c_uint8)),
         ("snapshots_rgba8", POINTER(c_uint32) * 4),
@@ -279,8 +276,6 @@ class pelagic_frame_buffers(ctypes.Structure):
         ("slopes_count", c_size_t),
         ("slopes_rgba8", POINTER(c_uint32)),
         ("moments_rgba8", POINTER(c_uint32)),
-        ("foam_count", c_size_t),
-        ("foam_r8", POINTER(c_uint8)),
     ]
 
 

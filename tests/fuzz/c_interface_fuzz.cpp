@@ -280,7 +280,6 @@ void any_ray(Bytes& bytes, const pelagic_ocean* ocean) {
 void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
     static std::vector<float> plane(64 * 64);
     static std::vector<std::uint32_t> chain(64 * 64 * 2);
-    static std::vector<std::uint8_t> foam(64 * 64 * 2);
     // As many structs as an ocean has cascades, of the size that the first struct states. This
     // array has enough memory for them.
     alignas(pelagic_frame_buffers) static std::array<std::byte, 4 * 4096> cascades;
@@ -302,8 +301,6 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
         if (parts / 4 % 4 == 1) buffers.slopes_rgba8 = chain.data();
         if (parts / 4 % 4 == 2) buffers.moments_rgba8 = chain.data();
         if (parts / 4 % 4 == 3) buffers.gradient_rgba8 = chain.data();
-        buffers.foam_count = buffers.rgba8_count;
-        if (parts / 16 % 4 == 1) buffers.foam_r8 = foam.data();
         const std::size_t place = cascade * (first.struct_size <= 4096 ? first.struct_size : 0);
         if (place + sizeof buffers <= cascades.size()) std::memcpy(cascades.data() + place, &buffers, sizeof buffers);
     }
@@ -324,7 +321,6 @@ void any_cascade(Bytes& bytes, const pelagic_ocean* ocean) {
     std::uint64_t sum = cascade.displacement_rgba16f[4 * n * n - 1];
     for (const std::uint32_t* chain : {cascade.gradient_rgba8, cascade.slopes_rgba8, cascade.moments_rgba8})
         if (chain) sum += chain[last];
-    if (cascade.foam_r8) sum += cascade.foam_r8[last];
     if (cascade.compression_r8) sum += cascade.compression_r8[n * n - 1];
     for (const std::uint32_t* chain : cascade.snapshots_rgba8)
         if (chain) sum += chain[last];

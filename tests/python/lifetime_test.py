@@ -63,7 +63,7 @@ def test_a_frame_that_is_over_raises_an_error(small):
         ocean.schedule(3)
         assert not frame.is_alive
         for ask in (lambda: frame.hash, lambda: frame.foam_hash, lambda: frame.displacement, lambda: frame.height, lambda: frame.cascades,
-                    lambda: cascade.displacement, lambda: cascade.dx, lambda: cascade.foam, lambda: cascade.bounds, lambda: cascade.gradient_level(1),
+                    lambda: cascade.displacement, lambda: cascade.dx, lambda: cascade.compression, lambda: cascade.bounds, lambda: cascade.gradient_level(1),
                     lambda: frame.query([[0, 0]]), lambda: frame.rays([0, 9, 0], [0, -1, 0], 20), lambda: frame.displaced([[0, 0]]),
                     lambda: frame.displaced_foam([[0, 0]]), lambda: frame.sample_undisplaced([[0, 0]]), frame.measured_significant_wave_height_m):
             with pytest.raises(pelagic.StaleFrame, match="holds a later one"):
@@ -150,7 +150,7 @@ MEMORY = """
     def frames(count):
         for i in range(count):
             frame = ocean.frame_at(i * 0.1)
-            arrays = [frame.displacement, frame.height, frame.cascades[0].gradient, frame.cascades[0].foam]
+            arrays = [frame.displacement, frame.height, frame.cascades[0].gradient, frame.cascades[0].compression]
             answers = frame.query([[i, 2.0], [3.0, 4.0]])
             frame.rays([0, 9, 0], [0, -1, 0], 20.0)
             frame.displaced([[1.0, i]])

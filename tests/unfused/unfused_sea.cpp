@@ -12,7 +12,6 @@
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/surface_appearance.hpp"
 #include "pelagic/simd/det_math.hpp"
-#include "pelagic/tests/unfused/unfused_foam.hpp"
 
 namespace pelagic::unfused {
 namespace {
@@ -110,13 +109,13 @@ UnfusedSea::UnfusedSea(const SeaState& sea)
     frame_.cascades = {&cascade_, 1};
 }
 
-const Frame& UnfusedSea::frame_at(double time_s, const FoamSource& foam) {
+const Frame& UnfusedSea::frame_at(double time_s) {
     frame_.time_s = time_s;
     evolve(loop_fraction(time_s, sea_.loop_period_s).turns);
     rows();
     columns();
     finalize();
-    gradients(foam);
+    gradients();
     mipmaps();
     return frame_;
 }
@@ -219,7 +218,7 @@ void UnfusedSea::finalize() {
     cascade_.bounds = bounds;
 }
 
-void UnfusedSea::gradients(const FoamSource& foam) {
+void UnfusedSea::gradients() {
     const double spacing = 2 * sea_.patch_size_m / sea_.resolution;
     const auto two_texels = static_cast<float>(spacing);
     const auto jacobian_factor = static_cast<float>(1 / (spacing * spacing));
@@ -240,14 +239,13 @@ void UnfusedSea::gradients(const FoamSource& foam) {
             const float squared = std::max(n_x * n_x + n_y * n_y + n_z * n_z, 1e-30f);
             const float inverse = 1.f / std::sqrt(squared);
 
-            const float jacobian = n_y * jacobian_factor;
-            const float clamped_jacobian = clamped(jacobian, -1.f, 1.f);
+            const float clamped_jacobian = clamped(n_y * jacobian_factor, -1.f, 1.f);
             const float to_byte = inverse * 127.5f;
             const std::size_t texel = at(x, z);
             texels_[texel] = signed_byte(n_x * to_byte) | signed_byte(n_z * to_byte) << 8 |
                              signed_byte(clamped_jacobian * 127.5f) << 16 |
                              static_cast<std::uint32_t>(smoothness_bits(roughness));
-            const float values[] = {dx_[texel], height_[texel], dz_[texel], foam_of(foam, jacobian)};
+            const float values[] = {dx_[texel], height_[texel], dz_[texel], 0};
             for (std::size_t i = 0; i < 4; ++i) halves_[4 * texel + i] = Imath::half(values[i]).bits();
             const float scaled = inverse * mean_normal_length(roughness);
             averages_[texel] = {n_x * scaled, n_y * scaled, n_z * scaled, clamped_jacobian};

@@ -22,8 +22,8 @@ class UnfusedSea {
     /// Bakes the spectrum. \pre check(sea) is empty
     explicit UnfusedSea(const SeaState& sea);
 
-    /// Computes a frame, which is valid until the next call. \param foam the foam source of the sea
-    const Frame& frame_at(double time_s, const FoamSource& foam = {});
+    /// Computes a frame, which is valid until the next call.
+    const Frame& frame_at(double time_s);
 
    private:
     struct Wave {
@@ -45,7 +45,7 @@ class UnfusedSea {
     void rows();
     void columns();
     void finalize();
-    void gradients(const FoamSource& foam);
+    void gradients();
     void mipmaps();
 
     std::size_t at(std::size_t x, std::size_t row) const { return row * n_ + x; }

@@ -16,7 +16,6 @@ struct CascadePlanes {
     double side_m;
     float cosine, sine;  ///< rotation of the cascade
     std::vector<float> dx, height, dz;
-    FoamSource foam = {.offset = 200, .scale = 255};
 };
 
 struct CascadeSlopes {

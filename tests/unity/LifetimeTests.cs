@@ -35,7 +35,7 @@ public static class LifetimeTests
             Check.Throws<InvalidOperationException>(() => frame.Shoreline.ToString(), "no shore");
             Check.Throws<InvalidOperationException>(() => frame.DynamicWaves.ToString(), "no dynamic waves");
             Check.Throws<ArgumentOutOfRangeException>(() => frame.Cascade(4), "a fifth cascade");
-            Check.True(frame.Cascade(0).FoamR8.IsEmpty && frame.Cascade(0).VelocityX.IsEmpty, "what the ocean was made without is empty");
+            Check.True(frame.Cascade(0).CompressionR8.IsEmpty && frame.Cascade(0).VelocityX.IsEmpty, "what the ocean was made without is empty");
             Check.Throws<InvalidOperationException>(() => default(Frame).TimeS.ToString(), "no frame");
         }
     }

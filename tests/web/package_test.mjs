@@ -57,7 +57,9 @@ test('maps and planes have the same waves at the documented positions', async ()
   assert.equal(levelCount(64), 7);
   const chain = 4 * levelOffset(64, levelCount(64));
   for (const name of ['gradients', 'slopes', 'moments']) assert.equal(cascade[name].length, chain, name);
-  assert.equal(cascade.foam.length, chain / 4);
+  assert.equal(cascade.compression.length, texels);
+  assert.deepEqual(cascade.snapshots.map((image) => image.length), [chain, chain, chain, chain]);
+  assert.deepEqual([cascade.snapshotsVersion.length, frame.snapshotAges.length], [4, 16]);
   assert.ok(cascade.velocityY.toRows().some((speed) => speed !== 0));
   ocean.dispose();
 });

@@ -80,8 +80,7 @@ std::size_t texture_bytes(const Frame& frame) {
     std::size_t bytes = 0;
     for (const Cascade& cascade : frame.cascades)
         bytes += cascade.displacement_rgba16f.size_bytes() + cascade.gradient_rgba8.size_bytes() +
-                 cascade.slopes_rgba8.size_bytes() + cascade.moments_rgba8.size_bytes() +
-                 cascade.foam_r8.size_bytes();
+                 cascade.slopes_rgba8.size_bytes() + cascade.moments_rgba8.size_bytes();
     return bytes;
 }
 

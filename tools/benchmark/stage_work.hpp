@@ -40,9 +40,9 @@ inline StageWork work_of(std::string_view job, const FrameShape& shape) {
     // Choppiness: two products.
     const StageWork columns{2 + transforms, 12 + 12};
     if (job == "columns+finalize") return columns;
-    // 44 per texel (differences 6, normal 13, length 7, J and foam 3, bytes 7, averages 8), 33 per
-    // texel of the mip levels, which have a third of the texels.
-    const StageWork gradients{44 + 33 / 3.0, 12 + 8 + 16 / 3.0};
+    // 42 per texel (differences 6, normal 13, length 7, J 1, bytes 7, averages 8), 33 per texel of
+    // the mip levels, which have a third of the texels.
+    const StageWork gradients{42 + 33 / 3.0, 12 + 8 + 16 / 3.0};
     if (job == "gradients+mipmaps") return gradients;
     // 46 per texel (differences 24, slopes 6, squares 3, J and foam 5, averages 8), 48 per texel of
     // the mip levels.

@@ -110,10 +110,11 @@ struct Cell {
 };
 
 Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, const MapOptions& options) {
-    const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
     const bool is_patch = part.map == MapKind::foam && options.foam_patch;
-    const MapImage map = is_patch ? foam_patch_image(frame, options) : map_image(cascade, part.map, 0, options);
-    const double side_m = is_patch ? options.foam_patch->side_m : cascade.grid.side_m;
+    const MapImage map =
+        is_patch ? foam_patch_image(frame, options) : map_image(frame, part.cascade, part.map, 0, options);
+    const double side_m =
+        is_patch ? options.foam_patch->side_m : frame.cascades[static_cast<std::size_t>(part.cascade)].grid.side_m;
     MapPreview shown = preview_of(map, cell_side);
     const std::string side = number_text(map.side), channels = map.channels == 1 ? " channel of " : " channels of ";
     Cell result{std::move(shown.image),

@@ -58,11 +58,11 @@ std::string part_name(const ImagePart& part) {
     return std::string(name_of(part.map)) + (part.cascade > 0 ? "_c" + number_text(part.cascade) : "");
 }
 
-ExrLayer layer_of(const ImagePart& part, const Cascade& cascade, const MapOptions& options,
-                  const std::string& before) {
+ExrLayer layer_of(const ImagePart& part, const Frame& frame, const MapOptions& options, const std::string& before) {
     const Sample sample = options.sample_of(part.map);
-    ExrLayer layer{.channels = {}, .sample = exr_sample(sample), .image_of = [&cascade, &options, part](int level) {
-                       return without_bytes(map_image(cascade, part.map, part.first_level + level, options));
+    ExrLayer layer{.channels = {}, .sample = exr_sample(sample), .image_of = [&frame, &options, part](int level) {
+                       return without_bytes(
+                           map_image(frame, part.cascade, part.map, part.first_level + level, options));
                    }};
     for (const ChannelMeaning& channel : channel_meanings(part.map, options))
         layer.channels.push_back(before + std::string(channel.channel));
@@ -161,7 +161,7 @@ ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const Ex
             if (is_packed && !has_layers) exr.parts.back().name = part_name(of);
         }
         ExrPart& part = exr.parts.back();
-        part.layers.push_back(layer_of(of, cascade, options.maps, is_packed ? part_name(of) + "." : ""));
+        part.layers.push_back(layer_of(of, frame, options.maps, is_packed ? part_name(of) + "." : ""));
         add_map(part.attributes, of, cascade, options.maps, has_layers ? part_name(of) + ":" : "");
     }
     return exr;

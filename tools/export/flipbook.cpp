@@ -37,9 +37,8 @@ class Flipbook : public SequenceOutput {
 
     void add(std::size_t index, const Frame& frame) override {
         for (Atlas& atlas : atlases_) {
-            const Cascade& cascade = frame.cascades[static_cast<std::size_t>(atlas.cascade)];
             const std::vector<MapImage> levels =
-                map_levels(cascade, atlas.map, 0, flipbook_levels(options_), options_.maps);
+                map_levels(frame, atlas.cascade, atlas.map, 0, flipbook_levels(options_), options_.maps);
             if (atlas.levels.empty())
                 for (const MapImage& level : levels) atlas.levels.push_back(empty_level(level));
             for (std::size_t level = 0; level < levels.size(); ++level)

@@ -103,13 +103,13 @@ std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame&
                              options.maps);
     if (is_of_patch(part.map, options.maps))
         return encode_pixels(part.map, {as_texture_image(foam_patch_image(frame, options.maps))}, options.maps);
-    const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
     std::vector<TextureImage> levels;
     if (is_texture(options.maps.format))
-        for (MapImage& level : map_levels(cascade, part.map, 0, part.levels, options.maps))
+        for (MapImage& level : map_levels(frame, part.cascade, part.map, 0, part.levels, options.maps))
             levels.push_back(as_texture_image(std::move(level)));
     else
-        levels.push_back(as_texture_image(map_image(cascade, part.map, part.first_level, options.maps)));
+        levels.push_back(
+            as_texture_image(map_image(frame, part.cascade, part.map, part.first_level, options.maps)));
     return encode_pixels(part.map, levels, options.maps);
 }
 

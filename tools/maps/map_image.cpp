@@ -7,7 +7,6 @@
 #include <cstring>
 #include <span>
 
-#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/simd/half_float.hpp"
 #include "pelagic/tools/maps/map_values.hpp"
 
@@ -70,9 +69,8 @@ void negate_green(Pixels& gradient) {
     for (std::size_t green = 1; green < gradient.size(); green += 4) gradient[green] = ~gradient[green];
 }
 
-/// Returns a level that the cascade stores as bytes.
-Pixels own_bytes(const Cascade& cascade, MapKind map, int level, const MapOptions& options) {
-    if (map == MapKind::foam) return pixels_of(cascade.level_of(cascade.foam_r8, level));
+/// Returns a level of the gradients, which the cascade stores as bytes.
+Pixels gradient_bytes(const Cascade& cascade, int level, const MapOptions& options) {
     Pixels pixels = pixels_of(cascade.gradient_level(level));  // a texel's lowest byte is red
     if (options.up_axis == UpAxis::z) negate_green(pixels);
     return pixels;
@@ -91,22 +89,23 @@ void flip_rows(MapImage& image) {
 
 bool clamped_halves() { return halves_are_clamped; }
 
-MapImage map_image(const Cascade& cascade, MapKind map, int level, const MapOptions& options) {
-    return map_levels(cascade, map, level, 1, options).front();
+MapImage map_image(const Frame& frame, int cascade, MapKind map, int level, const MapOptions& options) {
+    return map_levels(frame, cascade, map, level, 1, options).front();
 }
 
-std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_level, int levels,
+std::vector<MapImage> map_levels(const Frame& frame, int number, MapKind map, int first_level, int levels,
                                  const MapOptions& options) {
+    const Cascade& cascade = frame.cascades[static_cast<std::size_t>(number)];
     const Sample sample = options.sample_of(map);
-    const bool has_bytes = sample == Sample::uint8 && map != MapKind::normal;
-    MapValues values = has_bytes ? MapValues{} : map_values(cascade, map, options);
+    const bool has_bytes = map == MapKind::gradient;
+    MapValues values = has_bytes ? MapValues{} : map_values(frame, number, map, options);
     std::vector<MapImage> images;
     for (int level = 0; level < first_level + levels; ++level) {
         if (level > 0 && !has_bytes) values = halved(values);
         if (level < first_level) continue;
         MapImage image{cascade.resolution() >> level, channels_of(map), sample, {}};
         if (has_bytes)
-            image.pixels = own_bytes(cascade, map, level, options);
+            image.pixels = gradient_bytes(cascade, level, options);
         else
             image.pixels = stored(map == MapKind::normal && level > 0 ? normalised(values) : values, map, sample);
         if (options.rows == FirstRow::bottom) flip_rows(image);
@@ -137,14 +136,7 @@ MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions
 }
 
 MapImage foam_patch_image(const Frame& frame, const MapOptions& options) {
-    const FoamPatch& patch = *options.foam_patch;
-    const double pixel_m = patch.pixel_m();
-    const FoamSampler foam(frame);
-    MapValues values{.side = patch.pixels, .channels = channels_of(MapKind::foam), .values = {}};
-    values.values.reserve(static_cast<std::size_t>(patch.pixels) * static_cast<std::size_t>(patch.pixels));
-    for (int j = 0; j < patch.pixels; ++j)
-        for (int i = 0; i < patch.pixels; ++i)
-            values.values.push_back(foam.at((i + 0.5) * pixel_m, (j + 0.5) * pixel_m));
+    const MapValues values = foam_values(frame, options.foam_patch->pixels, options.foam_patch->pixel_m(), 0.5);
     const Sample sample = options.sample_of(MapKind::foam);
     MapImage image{values.side, values.channels, sample, stored(values, MapKind::foam, sample)};
     if (options.rows == FirstRow::bottom) flip_rows(image);

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/tools/maps/map_options.hpp"
@@ -22,11 +21,12 @@ struct MapImage {
 /// Returns one mip level of a map. channels_as_json() and layout_as_json() describe its pixels and
 /// rows (pixel_meaning.hpp). Levels are means of 2 x 2 texels; normals are unit vectors at every
 /// level.
-/// \pre the cascade has the map's views (asserted)
-MapImage map_image(const Cascade& cascade, MapKind map, int level, const MapOptions& options);
+/// \param cascade  index in the frame
+/// \pre the cascade has the map's views (asserted); foam is of a frame of one cascade
+MapImage map_image(const Frame& frame, int cascade, MapKind map, int level, const MapOptions& options);
 
 /// Returns several levels of a map, the largest first. Faster than separate calls of map_image().
-std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_level, int levels,
+std::vector<MapImage> map_levels(const Frame& frame, int cascade, MapKind map, int first_level, int levels,
                                  const MapOptions& options);
 
 /// Returns the map of dynamic waves: height, vertical velocity and foam. Rows are along z and

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pelagic/sim/frame_buffers.hpp"
+#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/simd/strict_floats.hpp"
 #include "pelagic/tools/maps/cascade_differences.hpp"
 
@@ -89,14 +90,6 @@ std::vector<float> compressions(const Cascade& cascade) {
     return values;
 }
 
-std::vector<float> foam(const Cascade& cascade) {
-    assert(!cascade.foam_r8.empty());
-    std::vector<float> values;
-    for (const std::uint8_t byte : cascade.level_of(cascade.foam_r8, 0))
-        values.push_back(static_cast<float>(byte) / 255);
-    return values;
-}
-
 std::vector<float> values_of_map(const Cascade& cascade, MapKind map, const MapOptions& options) {
     switch (map) {
         case MapKind::displacement: return vectors({cascade.dx, cascade.height, cascade.dz}, options);
@@ -104,20 +97,33 @@ std::vector<float> values_of_map(const Cascade& cascade, MapKind map, const MapO
         case MapKind::normal: return normals(cascade, options);
         case MapKind::jacobian: return jacobians(cascade);
         case MapKind::slope: return slopes(cascade, options.up_axis);
-        case MapKind::foam: return foam(cascade);
         case MapKind::compression: return compressions(cascade);
+        case MapKind::foam:
         case MapKind::gradient:
         case MapKind::dynamic_waves: break;
     }
-    assert(false && "gradients are bytes already, and the grid is no cascade's");
+    assert(false && "gradients are bytes already, and foam and the grid are no cascade's");
     return {};
 }
 
 }  // namespace
 
-MapValues map_values(const Cascade& cascade, MapKind map, const MapOptions& options) {
+MapValues map_values(const Frame& frame, int number, MapKind map, const MapOptions& options) {
+    const Cascade& cascade = frame.cascades[static_cast<std::size_t>(number)];
+    if (map == MapKind::foam) return foam_values(frame, cascade.resolution(), cascade.texel_m(), 0);
     return {
         .side = cascade.resolution(), .channels = channels_of(map), .values = values_of_map(cascade, map, options)};
+}
+
+MapValues foam_values(const Frame& frame, int side, double spacing_m, double first) {
+    const FoamSampler foam(frame);
+    assert(foam.has_foam());
+    MapValues values{.side = side, .channels = channels_of(MapKind::foam), .values = {}};
+    values.values.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i)
+            values.values.push_back(foam.at((i + first) * spacing_m, (j + first) * spacing_m));
+    return values;
 }
 
 MapValues halved(const MapValues& finer) {

@@ -17,11 +17,11 @@ class ViewCopier {
 
     void copy_views(Cascade& cascade) {
         auto& [grid, dx, height, dz, velocity_x, velocity_y, velocity_z, folds, contraction, displacement, gradient,
-               slopes, moments, slope_ranges, foam, compression, snapshots, snapshots_version, drift_columns,
-               drift_rows, compression_scale, slope_variance, bounds, whitecap_jacobian, whitecap_ramp] = cascade;
+               slopes, moments, slope_ranges, compression, snapshots, snapshots_version, drift_columns,
+               drift_rows, compression_scale, slope_variance, bounds] = cascade;
         auto& [blocks, around, largest_m, stretch, steepness] = contraction;
         copy_planes(dx, height, dz, velocity_x, velocity_y, velocity_z);
-        copy(folds, blocks, around, gradient, foam, compression);
+        copy(folds, blocks, around, gradient, compression);
         for (auto& image : snapshots) copy(image);
         displacement = {};
         slopes = moments = {};

@@ -124,7 +124,7 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t max_bytes) {
     const auto cascades = static_cast<std::size_t>(cascades_of(options.sea.sea));
     const std::size_t bytes_per_texel =
         bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0) +
-        (options.has_foam() && cascades > 1 ? bytes_per_texel_of_snapshots : 0);
+        (options.has_foam() ? bytes_per_texel_of_snapshots : 0);
     const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
     const auto grid = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
     const auto foam = static_cast<std::size_t>(options.maps.foam_patch ? options.maps.foam_patch->pixels : 0);

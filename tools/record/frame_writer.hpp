@@ -26,8 +26,7 @@ constexpr std::size_t bytes_for_writing(std::size_t ocean_bytes) {
 }
 
 /// Measured upper bounds, in bytes a texel: a copied frame with one file of each of its cascades
-/// interleaved, encoded and compressed; and the additions for copied velocities, and for the foam of
-/// several cascades.
+/// interleaved, encoded and compressed; and the additions for copied velocities, and for foam.
 inline constexpr std::size_t bytes_per_texel_in_flight = 64, bytes_per_texel_of_velocities = 12,
                              bytes_per_texel_of_snapshots = 23;
 

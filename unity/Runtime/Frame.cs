@@ -98,7 +98,7 @@ namespace Pelagic
         public float Roughness => Slot.Frame.roughness;
         public double FoamDriftXMps => Slot.Frame.foam_drift_x_mps;
         public double FoamDriftZMps => Slot.Frame.foam_drift_z_mps;
-        /// <summary>Of several cascades: 1000 if the sea has no whitecaps, and without OceanOptions.Foam.</summary>
+        /// <summary>Compression of half foam: 1000 if the sea has no whitecaps, and without OceanOptions.Foam.</summary>
         public float FoamLevel => Slot.Frame.foam_level;
 
         /// <summary>Age of snapshot `index` of 16; 1 and more: the snapshot has no effect.</summary>
@@ -171,8 +171,6 @@ namespace Pelagic
         public Bounds Bounds => Of.bounds;
         public float SlopeRange => Of.slope_range;
         public float VarianceRange => Of.variance_range;
-        public float WhitecapJacobian => Of.whitecap_jacobian;
-        public float WhitecapRamp => Of.whitecap_ramp;
         public float CompressionScale => Of.compression_scale;
         public double DriftColumns => Of.drift_columns;
         public double DriftRows => Of.drift_rows;
@@ -195,7 +193,7 @@ namespace Pelagic
             fixed (uint* offsets = Of.level_offset) return (int)offsets[level];
         }
 
-        /// <summary>N^2 texels of four half floats: Dx, height, Dz, foam of a single cascade.</summary>
+        /// <summary>N^2 texels of four half floats: Dx, height, Dz, 0.</summary>
         public ReadOnlySpan<ushort> DisplacementRgba16f
         {
             get
@@ -210,10 +208,15 @@ namespace Pelagic
         /// <summary>Chain of derivatives; (byte - 128) / 127 * SlopeRange.</summary>
         public ReadOnlySpan<uint> SlopesRgba8 => Chain(Of.slopes_rgba8);
         public ReadOnlySpan<uint> MomentsRgba8 => Chain(Of.moments_rgba8);
-        /// <summary>Chain of foam of a single cascade; with OceanOptions.Foam.</summary>
-        public ReadOnlySpan<byte> FoamR8 => Bytes(Of.foam_r8, ChainTexels);
-        /// <summary>N^2 bytes of compression, of several cascades; with OceanOptions.Foam.</summary>
-        public ReadOnlySpan<byte> CompressionR8 => Bytes(Of.compression_r8, Of.resolution * Of.resolution);
+        /// <summary>N^2 bytes of compression; with OceanOptions.Foam.</summary>
+        public ReadOnlySpan<byte> CompressionR8
+        {
+            get
+            {
+                ref readonly var of = ref Of;
+                return of.compression_r8 == null ? default : new ReadOnlySpan<byte>(of.compression_r8, of.resolution * of.resolution);
+            }
+        }
 
         /// <summary>Chain of snapshots 4 index to 4 index + 3; index in [0, 4).</summary>
         public ReadOnlySpan<uint> SnapshotsRgba8(int index) => Chain(Of.snapshots_rgba8(index));
@@ -235,16 +238,9 @@ namespace Pelagic
             }
         }
 
-        private int ChainTexels => (4 * Of.resolution * Of.resolution - 1) / 3;
-
-        private static ReadOnlySpan<byte> Bytes(byte* texels, int count)
-        {
-            return texels == null ? default : new ReadOnlySpan<byte>(texels, count);
-        }
-
         private ReadOnlySpan<uint> Chain(uint* texels)
         {
-            return texels == null ? default : new ReadOnlySpan<uint>(texels, ChainTexels);
+            return texels == null ? default : new ReadOnlySpan<uint>(texels, (4 * Of.resolution * Of.resolution - 1) / 3);
         }
     }
 

@@ -16,8 +16,6 @@ namespace Pelagic
         public ushort[] DisplacementRgba16f;
         /// <summary>Chains of (4 N^2 - 1) / 3 texels.</summary>
         public uint[] GradientRgba8, SlopesRgba8, MomentsRgba8;
-        /// <summary>Chain of (4 N^2 - 1) / 3 texels, of a single cascade.</summary>
-        public byte[] FoamR8;
     }
 
     /// <summary>
@@ -141,8 +139,6 @@ namespace Pelagic
                     slopes_count = CountOf(arrays.SlopesRgba8, arrays.MomentsRgba8),
                     slopes_rgba8 = (uint*)Pin(arrays.SlopesRgba8),
                     moments_rgba8 = (uint*)Pin(arrays.MomentsRgba8),
-                    foam_count = CountOf(arrays.FoamR8),
-                    foam_r8 = (byte*)Pin(arrays.FoamR8),
                 };
             }
 

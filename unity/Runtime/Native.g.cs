@@ -569,8 +569,8 @@ namespace Pelagic
         /// <summary>largest error of a converged point; 0: 0.001, else [1e-6, 1000]</summary>
         public double QueryToleranceM;
         /// <summary>
-        /// True adds slopes and moments to frames of one cascade; frames of several have them
-        /// always.
+        /// True adds slopes and moments to frames of one cascade; frames of several, and frames with
+        /// foam, have them always.
         /// </summary>
         public bool Slopes;
         /// <summary>True adds a gradient chain to each cascade of several; a single cascade has one always.</summary>
@@ -578,9 +578,7 @@ namespace Pelagic
         /// <summary>
         /// True enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
         /// a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
-        /// which take as long as ten to twenty frames. 49 N^2 bytes for each cascade, 52 N^2 for a
-        /// single one. With 0 the half floats of one cascade hold only the foam of waves that break at
-        /// the frame's time.
+        /// which take as long as ten to twenty frames. 49 N^2 bytes for each cascade.
         /// </summary>
         public bool Foam;
         /// <summary>
@@ -854,9 +852,6 @@ namespace Pelagic
             internal int levels;
             internal fixed uint level_offset[12];
             internal Bounds bounds;
-            internal float whitecap_jacobian;
-            internal byte* foam_r8;
-            internal float whitecap_ramp;
             internal uint reserved_1;
             internal byte* compression_r8;
             internal uint* snapshots_rgba8_0, snapshots_rgba8_1, snapshots_rgba8_2, snapshots_rgba8_3;
@@ -917,8 +912,6 @@ namespace Pelagic
             internal UIntPtr slopes_count;
             internal uint* slopes_rgba8;
             internal uint* moments_rgba8;
-            internal UIntPtr foam_count;
-            internal byte* foam_r8;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -97,6 +97,14 @@ val bounds_of(const FrameBounds& bounds) {
     return object;
 }
 
+/// Returns an array of JavaScript. Versions count from 1, so doubles hold them exactly.
+template <class Number>
+val numbers_of(std::span<const Number> numbers) {
+    val array = val::array();
+    for (const Number number : numbers) array.call<void>("push", static_cast<double>(number));
+    return array;
+}
+
 val variance_of(const SlopeVariance& variance) {
     val object = val::object();
     object.set("upwind", variance.upwind);
@@ -126,9 +134,10 @@ val cascade_of(const Cascade& cascade) {
     object.set("varianceRange", cascade.slope_ranges.variance);
     object.set("slopeVariance", cascade.slope_variance);
     object.set("makesWhitecaps", cascade.makes_whitecaps());
-    object.set("whitecapJacobian", cascade.whitecap_jacobian);
-    object.set("whitecapRamp", cascade.whitecap_ramp);
     object.set("compressionScale", cascade.compression_scale);
+    object.set("driftColumns", cascade.drift_columns);
+    object.set("driftRows", cascade.drift_rows);
+    object.set("snapshotsVersion", numbers_of<std::uint64_t>(cascade.snapshots_version));
     object.set("bounds", bounds_of(cascade.bounds));
     return object;
 }
@@ -255,6 +264,7 @@ class OceanBinding {
         object.set("statistics", statistics_of(frame.statistics));
         object.set("isa", std::string(name_of(frame.isa)));
         object.set("bounds", bounds_of(frame.bounds));
+        object.set("snapshotAges", numbers_of<float>(frame.foam.age));
         val cascades = val::array();
         for (const Cascade& cascade : frame.cascades) cascades.call<void>("push", cascade_of(cascade));
         object.set("cascades", cascades);
@@ -269,7 +279,13 @@ class OceanBinding {
         object.set("gradients", bytes_of(cascade.gradient_rgba8));
         object.set("slopes", bytes_of(cascade.slopes_rgba8));
         object.set("moments", bytes_of(cascade.moments_rgba8));
-        object.set("foam", view_of(cascade.foam_r8));
+        object.set("compression", view_of(cascade.compression_r8));
+        val snapshots = val::null();
+        if (!cascade.snapshots_rgba8[0].empty()) {
+            snapshots = val::array();
+            for (const auto image : cascade.snapshots_rgba8) snapshots.call<void>("push", bytes_of(image));
+        }
+        object.set("snapshots", snapshots);
         object.set("dx", plane_of(cascade.dx));
         object.set("height", plane_of(cascade.height));
         object.set("dz", plane_of(cascade.dz));

@@ -22,7 +22,7 @@ struct ViewOptions {
     double size_m = 4096;                       ///< side of the square with waves; [256, 8192]
     gl::Shading shading = gl::Shading::medium;  ///< cost of a pixel
     int sky_face_size = 256;                    ///< texels a side of the sky; 2^n, 16 to 2048
-    bool foam = true;                           ///< foam accumulation; 10 to 20 % of a frame
+    bool foam = true;                           ///< 10 to 20 % of a frame
 };
 
 /// The light of the scene, for other objects that a page draws: irradiances in the sky's unit, and

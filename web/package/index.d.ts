@@ -429,7 +429,7 @@ export interface SeaStatistics {
   /** Drift velocity of foam. */
   foamDriftXMps: number;
   foamDriftZMps: number;
-  /** Compression at which half of the water is white, in standard deviations. */
+  /** Compression S of half foam, see CascadeMaps.snapshots; 1000 if nothing breaks. */
   foamLevel: number;
 }
 
@@ -442,6 +442,8 @@ export interface FrameAbout {
   readonly isa: string;
   /** Sums of the cascades' bounds. */
   readonly bounds: Bounds;
+  /** Foam that has decayed since each of the 16 snapshots; 1 and more: it has no effect. */
+  readonly snapshotAges: readonly number[];
 }
 
 /**
@@ -456,6 +458,7 @@ export class Frame implements FrameAbout {
   readonly statistics: SeaStatistics;
   readonly isa: string;
   readonly bounds: Bounds;
+  readonly snapshotAges: readonly number[];
   /** At least one, the coarsest first. */
   readonly cascades: readonly Cascade[];
   /** Null without OceanOptions.dynamicWaves. */
@@ -465,7 +468,7 @@ export class Frame implements FrameAbout {
   readonly isValid: boolean;
   /** XXH3 of the cascades, 16 hexadecimal digits; `pelagic export` writes it to sea.json. */
   hash(): string;
-  /** XXH3 of the accumulated foam. */
+  /** XXH3 of the foam. */
   foamHash(): string;
   /** Samples the surface at any points. Throws without OceanOptions.queries. */
   query(points: Points, options?: QueryOptions): SurfaceSamples;
@@ -554,19 +557,15 @@ export interface CascadeAbout {
   readonly varianceRange: number;
   /** Variance of the slope over the cascade. */
   readonly slopeVariance: number;
-  /** Whether the cascade's waves make foam, alone or in the sum. */
+  /** Whether the cascade's waves make foam in the sum. */
   readonly makesWhitecaps: boolean;
-  /**
-   * Of one cascade: breaking at the Jacobian J makes the foam
-   * clamp(1/2 + (whitecapJacobian - J) / whitecapRamp, 0, 1).
-   */
-  readonly whitecapJacobian: number;
-  readonly whitecapRamp: number;
-  /**
-   * Of several cascades: with S the sum of -compressionScale (D_xx + D_zz), breaking makes the foam
-   * clamp(1/2 + (S - SeaStatistics.foamLevel) / 0.3, 0, 1).
-   */
+  /** q over -(D_xx + D_zz) of this cascade, see CascadeMaps.snapshots. */
   readonly compressionScale: number;
+  /** Texel (i, j) has the snapshots of texel (i - driftColumns, j - driftRows). */
+  readonly driftColumns: number;
+  readonly driftRows: number;
+  /** Four numbers, each of which differs whenever its image of snapshots differs. */
+  readonly snapshotsVersion: readonly number[];
 }
 
 /**
@@ -576,10 +575,7 @@ export interface CascadeAbout {
  * views. So read `cascade.displacement` again for each use, and copy what you keep.
  */
 export interface CascadeMaps {
-  /**
-   * N^2 texels of four half floats, RGBA16F: Dx, height, Dz in metres, and of one cascade foam from
-   * 0 to 1.
-   */
+  /** N^2 texels of four half floats, RGBA16F: Dx, height, Dz in metres, 0. */
   readonly displacement: Uint16Array;
   /**
    * levelCount(N) mip levels, RGBA8: normal x, normal z, Jacobian, smoothness, of this cascade
@@ -592,15 +588,22 @@ export interface CascadeMaps {
    * b/255 varianceRange for a variance, (b - 128)/127 varianceRange for the covariance, else
    * (b - 128)/127 slopeRange. The normal of the sums is
    * (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)), J = (1 + D_xx)(1 + D_zz) - D_xz^2.
-   * Null in frames of one cascade without OceanOptions.slopes.
+   * Null in frames of one cascade without OceanOptions.slopes and foam.
    */
   readonly slopes: Uint8Array | null;
   readonly moments: Uint8Array | null;
   /**
-   * Mip levels of foam, one byte per texel. Null without OceanOptions.foam, and in frames of
-   * several cascades, whose foam queries return.
+   * N^2 bytes: a byte b is the compression q = -3 + 8 b/255 now. Null without OceanOptions.foam, and
+   * for a cascade that makes no foam.
    */
-  readonly foam: Uint8Array | null;
+  readonly compression: Uint8Array | null;
+  /**
+   * Four chains of mip levels, RGBA8: q at 16 past ticks, snapshot s in byte s % 4 of image
+   * floor(s / 4). With S the sum of q over the cascades, the foam at a position is the largest of
+   * clamp(1/2 + (S - SeaStatistics.foamLevel) / 0.3, 0, 1) of `compression`, and that minus
+   * snapshotAges[s] of snapshot s. Null as `compression`.
+   */
+  readonly snapshots: readonly Uint8Array[] | null;
   /** Metres, in single precision. */
   readonly dx: Plane;
   readonly height: Plane;

@@ -32,7 +32,8 @@ export class Plane {
   }
 }
 
-export const mapNames = ['displacement', 'gradients', 'slopes', 'moments', 'foam'];
+export const textureNames = ['displacement', 'gradients', 'slopes', 'moments'];
+export const mapNames = [...textureNames, 'compression', 'snapshots'];
 export const planeNames = ['dx', 'height', 'dz', 'velocityX', 'velocityY', 'velocityZ'];
 
 /** A cascade of a frame. Its maps are views of the module's memory. */

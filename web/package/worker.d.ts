@@ -8,8 +8,8 @@ export { seaOptions, optionTables, presets, levelCount, levelOffset, Plane } fro
 
 export interface RemoteOceanOptions extends OceanOptions {
   /**
-   * The maps of each frame; the others are null. Default: displacement, gradients, slopes, moments
-   * and foam, if frames have them.
+   * The maps of each frame; the others are null. Default: displacement, gradients, slopes and
+   * moments, if frames have them.
    */
   maps?: (keyof CascadeMaps)[];
 }
@@ -67,6 +67,7 @@ export class RemoteFrame implements FrameAbout {
   readonly statistics: SeaStatistics;
   readonly isa: string;
   readonly bounds: Bounds;
+  readonly snapshotAges: readonly number[];
   readonly cascades: readonly RemoteCascade[];
   readonly dynamicWaves: (DynamicWavesView & {hash(): Promise<string>}) | null;
   readonly shore: (ShoreSurface & {hash(): Promise<string>}) | null;

@@ -1,6 +1,6 @@
 // The worker's side of remote_ocean.js.
 import { createOcean } from './index.js';
-import { mapNames, planeNames } from './ocean.js';
+import { mapNames, planeNames, textureNames } from './ocean.js';
 
 let ocean = null;
 let isShared = false;
@@ -22,7 +22,8 @@ function postedCascade(cascade, transfer) {
   const maps = {};
   for (const name of sent) {
     const data = cascade.map(name);
-    if (data) maps[name] = isPlane(data) ? { ...data, data: posted(data.data, transfer) } : posted(data, transfer);
+    if (Array.isArray(data)) maps[name] = data.map((view) => posted(view, transfer));
+    else if (data) maps[name] = isPlane(data) ? { ...data, data: posted(data.data, transfer) } : posted(data, transfer);
   }
   return { ...cascade, maps };
 }
@@ -40,7 +41,7 @@ function frameOf(number) {
 }
 
 const methods = {
-  async create({ maps = mapNames, ...options }) {
+  async create({ maps = textureNames, ...options }) {
     const known = [...mapNames, ...planeNames];
     if (!Array.isArray(maps)) throw new Error(`maps is ${String(maps)}, expected an array of ${known.join(', ')}`);
     for (const name of maps)
@@ -55,9 +56,9 @@ const methods = {
     const number = count++;
     frames.set(number, frame);
     frames.delete(number - 2);
-    const { sea, statistics, isa, bounds } = frame;
+    const { sea, statistics, isa, bounds, snapshotAges } = frame;
     return {
-      number, timeS, sea, statistics, isa, bounds,
+      number, timeS, sea, statistics, isa, bounds, snapshotAges,
       cascades: frame.cascades.map((cascade) => postedCascade(cascade, transfer)),
       dynamicWaves: postedGrid(frame.dynamicWaves, transfer),
       shore: postedGrid(frame.shore, transfer),
