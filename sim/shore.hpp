@@ -1,6 +1,7 @@
 // A shore: a sea floor that refracts waves and may rise above the water as a beach or an island.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -65,6 +66,10 @@ struct ShoreSample {
 /// of the height. Returns weights of 1 and zeros otherwise if x_m or z_m is not finite.
 /// Thread-safe.
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m);
+
+/// Returns ShoreSample::weights without the cost of the other fields. Thread-safe.
+/// \pre the shore is not empty
+std::array<float, 4> shore_weights_at(const ShoreSurface& shore, double x_m, double z_m);
 
 /// Returns the XXH3 of the frame's shore, little-endian; 0 for a frame without one. hash_of()
 /// leaves the shore out.

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/foam_report.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 

@@ -13,9 +13,9 @@
 #include <random>
 #include <vector>
 
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/query/foam_sampler.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/sweep.hpp"

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <deque>
+#include <numbers>
+#include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/oracle/gradient_oracle.hpp"
@@ -166,6 +170,133 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
                     << "level " << m << " texel " << texel << " byte " << c;
             }
         }
+    }
+}
+
+/// A frame of two cascades, one of them rotated, with one long wave each:
+///
+///   h = a cos(k . x),  D = -a k / |k| sin(k . x)
+class TwoWaves {
+   public:
+    static constexpr int n = 64;
+    static constexpr float compression_scale = 0.7f;
+    /// Phase change of a wave between two texels.
+    static constexpr double turn = 2 * std::numbers::pi / n;
+
+    TwoWaves() {
+        for (const auto& [side_m, cosine, sine, along, across, amplitude_m] :
+             {std::tuple(100.0, 1.0, 0.0, 1, 0, 1.5), {37.0, 0.6, 0.8, 1, 1, 0.4}}) {
+            Cascade& cascade = cascades_.emplace_back();
+            cascade.grid = {.side_m = side_m, .cosine = cosine, .sine = sine};
+            cascade.compression_scale = compression_scale;
+            const double per_m = 2 * std::numbers::pi / side_m;
+            const auto [k_x, k_z] = cascade.grid.in_world(per_m * along, per_m * across);
+            waves_.push_back({amplitude_m, k_x, k_z});
+            for (PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz}) {
+                std::vector<float>& texels = planes_.emplace_back();
+                for (int j = 0; j < n; ++j)
+                    for (int i = 0; i < n; ++i) {
+                        const auto [x, z] = cascade.grid.in_world(i * side_m / n, j * side_m / n);
+                        const Wave& wave = waves_.back();
+                        const double phase = k_x * x + k_z * z, k = std::hypot(k_x, k_z);
+                        texels.push_back(static_cast<float>(
+                            plane == &cascade.height
+                                ? wave.amplitude_m * std::cos(phase)
+                                : -wave.amplitude_m * (plane == &cascade.dx ? k_x : k_z) / k * std::sin(phase)));
+                    }
+                *plane = {.data = texels.data(),
+                          .resolution = n,
+                          .block_columns = n,
+                          .row_stride = n,
+                          .block_stride = 0};
+            }
+        }
+        frame_.cascades = cascades_;
+    }
+    const Frame& frame() const { return frame_; }
+
+    /// Returns the derivatives of the sum in closed form.
+    SurfaceSlopes slopes(double x, double z) const {
+        SurfaceSlopes sum;
+        for (const Wave& wave : waves_) {
+            const double phase = wave.k_x * x + wave.k_z * z, k = std::hypot(wave.k_x, wave.k_z);
+            const double tilt = -wave.amplitude_m * std::sin(phase), stretch = -wave.amplitude_m / k * std::cos(phase);
+            sum += {.h_x = wave.k_x * tilt,
+                    .h_z = wave.k_z * tilt,
+                    .d_xx = wave.k_x * wave.k_x * stretch,
+                    .d_zz = wave.k_z * wave.k_z * stretch,
+                    .d_xz = wave.k_x * wave.k_z * stretch};
+        }
+        return sum;
+    }
+    /// Returns the sum of the largest slopes of both waves.
+    double max_slope() const {
+        double sum = 0;
+        for (const Wave& wave : waves_) sum += wave.amplitude_m * std::hypot(wave.k_x, wave.k_z);
+        return sum;
+    }
+
+   private:
+    struct Wave {
+        double amplitude_m, k_x, k_z;
+    };
+    std::vector<Wave> waves_;
+    std::deque<std::vector<float>> planes_;
+    std::vector<Cascade> cascades_;
+    Frame frame_;
+};
+
+TEST(CascadeSum, SlopesJacobianAndCompressionAreThoseOfTheWaves) {
+    const TwoWaves waves;
+    // The differences amplify a wave of phase change t a texel by at most 0.28 t^2 along each axis,
+    // and bilinear interpolation attenuates it by at most t^2 / 8 (first terms of their series).
+    // Rounding of the texels to floats is far less.
+    const double bound = 2 * 0.28 * TwoWaves::turn * TwoWaves::turn * waves.max_slope();
+    for (int i = 0; i < 400; ++i) {
+        const double x = 1.37 * i - 200, z = 311.1 - 0.83 * i;
+        const SurfaceSlopes expected = waves.slopes(x, z), found = slopes_of(waves.frame(), x, z);
+        EXPECT_NEAR(found.h_x, expected.h_x, bound);
+        EXPECT_NEAR(found.h_z, expected.h_z, bound);
+        EXPECT_NEAR(found.d_xx, expected.d_xx, bound);
+        EXPECT_NEAR(found.d_zz, expected.d_zz, bound);
+        EXPECT_NEAR(found.d_xz, expected.d_xz, bound);
+        // The Jacobian has two products of sums below 1 + max_slope().
+        EXPECT_NEAR(jacobian_of(waves.frame(), x, z),
+                    (1 + expected.d_xx) * (1 + expected.d_zz) - expected.d_xz * expected.d_xz,
+                    4 * bound * (1 + waves.max_slope()));
+        EXPECT_NEAR(compression_of(waves.frame(), x, z),
+                    -double{TwoWaves::compression_scale} * (expected.d_xx + expected.d_zz), 2 * bound);
+    }
+}
+
+TEST(CascadeSum, SlopesAndCompressionAreThoseOfTheTextures) {
+    const SeaState sea{.resolution = 32, .cascades = 3, .wind_speed_mps = 15};
+    Ocean ocean(sea, {.executor = make_serial_executor(), .slopes = true, .foam = true});
+    const Frame& frame = ocean.frame_at(4);
+    for (const Cascade& cascade : frame.cascades) {
+        const std::span<const std::uint32_t> slopes = cascade.level_of(cascade.slopes_rgba8, 0),
+                                             moments = cascade.level_of(cascade.moments_rgba8, 0);
+        Frame alone = frame;
+        alone.cascades = {&cascade, 1};
+        // Half a step of a byte, and the rounding of floats and of positions.
+        const double half_step = double{cascade.slope_ranges.slope} / 127 / 2 * 1.001;
+        for (int j = 0; j < 32; ++j)
+            for (int i = 0; i < 32; ++i) {
+                const auto [x, z] = cascade.grid.in_world(i * cascade.texel_m(), j * cascade.texel_m());
+                const auto texel = static_cast<std::size_t>(j * 32 + i);
+                const SurfaceSlopes stored = slopes_of_texel(slopes[texel], moments[texel], cascade.slope_ranges);
+                const SurfaceSlopes found = slopes_of(cascade, x, z);
+                const double range = cascade.slope_ranges.slope;
+                EXPECT_NEAR(std::clamp(found.h_x, -range, range), stored.h_x, half_step);
+                EXPECT_NEAR(std::clamp(found.h_z, -range, range), stored.h_z, half_step);
+                EXPECT_NEAR(std::clamp(found.d_xx, -range, range), stored.d_xx, half_step);
+                EXPECT_NEAR(std::clamp(found.d_zz, -range, range), stored.d_zz, half_step);
+                EXPECT_NEAR(std::clamp(found.d_xz, -range, range), stored.d_xz, half_step);
+                if (cascade.compression_r8.empty()) continue;
+                const double compression = compression_of(alone, x, z);
+                EXPECT_NEAR(std::clamp(compression, double{SnapshotFoam::lowest}, 5.0),
+                            SnapshotFoam::value_of(cascade.compression_r8[texel]), SnapshotFoam::step / 2 * 1.001f);
+            }
     }
 }
 

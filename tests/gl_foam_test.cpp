@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "pelagic/sim/query/foam_sampler.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <vector>
 
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 #include "pelagic/tests/shores.hpp"

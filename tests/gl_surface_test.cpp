@@ -1,7 +1,7 @@
 // The drawn sea has the positions that its frame's cascades give (gl_slice.hpp).
 #include <gtest/gtest.h>
 
-#include "pelagic/sim/surface/cascade_sum.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/tests/gl_slice.hpp"
 
 namespace pelagic {

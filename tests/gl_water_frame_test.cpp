@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "pelagic/sim/surface/cascade_sum.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/tests/gl_slice.hpp"
 
 namespace pelagic {

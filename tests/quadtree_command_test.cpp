@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 

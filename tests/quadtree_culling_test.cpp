@@ -10,8 +10,8 @@
 #include <set>
 #include <tuple>
 
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {

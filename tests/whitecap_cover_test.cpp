@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/foam/accumulation.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"

@@ -18,8 +18,7 @@
 #include "pelagic/python/bindings/drawn_water.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/python/bindings/option_fields.hpp"
-#include "pelagic/sim/query/foam_sampler.hpp"
-#include "pelagic/sim/surface/cascade_sum.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
 namespace py = pybind11;
@@ -357,13 +356,6 @@ Places reference_places_of(py::handle points, py::handle z) {
     return places;
 }
 
-DrawnWater drawn_at(const Frame& frame, double x_m, double z_m) {
-    std::array<Displacement, max_cascades> of_cascades;
-    for (std::size_t t = 0; t < frame.cascades.size(); ++t)
-        of_cascades[t] = displacement_of(frame.cascades[t], x_m, z_m);
-    return drawn_water(frame, x_m, z_m, {of_cascades.data(), frame.cascades.size()});
-}
-
 py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::handle z) {
     const auto reader = handle.read();
     need_planes(handle.frame);
@@ -372,7 +364,7 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
     float* out = array.mutable_data();
     const py::gil_scoped_release others_run;
     for (std::size_t i = 0; i < places.x.size(); ++i) {
-        const Displacement d = drawn_at(handle.frame, places.x[i], places.z[i]).displacement;
+        const Displacement d = drawn_water(handle.frame, places.x[i], places.z[i]).displacement;
         *out++ = static_cast<float>(places.x[i] + d.dx);
         *out++ = static_cast<float>(d.height);
         *out++ = static_cast<float>(places.z[i] + d.dz);
@@ -382,10 +374,10 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
 
 /// Returns the foam of the water that has the reference position (x, z), as a query does.
 float foam_at_rest(const Frame& frame, const FoamSampler& foam, double x_m, double z_m) {
-    const DrawnWater drawn = drawn_at(frame, x_m, z_m);
+    const DrawnWater drawn = drawn_water(frame, x_m, z_m);
     const auto of_place =
         static_cast<float>(foam_of_place(frame, x_m + drawn.displacement.dx, z_m + drawn.displacement.dz));
-    return foam.has_foam() ? std::max(of_place, foam.at(x_m, z_m, &drawn.weights)) : of_place;
+    return foam.has_foam() ? std::max(of_place, foam.at(x_m, z_m, drawn.weights)) : of_place;
 }
 
 py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, py::handle z) {

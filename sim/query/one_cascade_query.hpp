@@ -1,7 +1,7 @@
 // Surface queries of a frame with one cascade.
 #pragma once
 
-#include "pelagic/sim/query/foam_sampler.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/query/point_chunk.hpp"
 #include "pelagic/sim/surface_query.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "pelagic/sim/buffers/contraction_map.hpp"
-#include "pelagic/sim/query/shore_weights.hpp"
+#include "pelagic/sim/shore.hpp"
 
 namespace pelagic {
 namespace {
@@ -130,9 +130,9 @@ void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const
     for (std::size_t i = 0; i < foam.size(); ++i) {
         const double x = chunk.x[i] + static_cast<double>(chunk.offset_x[i]);
         const double z = chunk.z[i] + static_cast<double>(chunk.offset_z[i]);
-        FoamWeights weights;
+        std::array<float, max_cascades> weights;
         for (std::size_t t = 0; shore_ && t < cascades_.size(); ++t) weights[t] = chunk.weight[t][i];
-        foam[i] = foam_.at(x, z, shore_ ? &weights : nullptr);
+        foam[i] = foam_.at(x, z, std::span(weights).first(shore_ ? cascades_.size() : 0));
     }
 }
 

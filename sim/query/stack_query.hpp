@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "pelagic/sim/query/foam_sampler.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/query/point_chunk.hpp"
 #include "pelagic/sim/query/stack_search.hpp"
 #include "pelagic/sim/surface_query.hpp"

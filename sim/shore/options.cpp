@@ -106,6 +106,15 @@ ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {
     return sample;
 }
 
+std::array<float, 4> shore_weights_at(const ShoreSurface& shore, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    std::array<float, 4> weights = {1, 1, 1, 1};
+    const ShoreAt at(shore, x_m, z_m);
+    for (std::size_t cascade = 0; at.is_place() && cascade < weights.size(); ++cascade)
+        weights[cascade] = static_cast<float>(at.weight(cascade));
+    return weights;
+}
+
 std::uint64_t shore_hash_of(const Frame& frame) {
     const ShoreSurface& shore = frame.shore;
     if (!shore) return 0;

@@ -8,6 +8,7 @@
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/det_math_batch.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -38,6 +39,7 @@ void for_batches(std::size_t size, Take take) {
 }  // namespace
 
 double angular_frequency(double k, const Water& water) {
+    const DefaultFloatEnvironment environment;
     return std::sqrt((gravity_mps2 * k + water.tension_m3ps2 * (k * k * k)) * det::tanh(k * water.depth_m));
 }
 
@@ -78,6 +80,7 @@ double depth_factor(double k, double depth_m) {
 // Eckart's k d = x / sqrt(tanh x), x = omega^2 d / g (1952), is within 5 %. Each Newton step
 // squares the error.
 double wave_number(double omega, double depth_m) {
+    const DefaultFloatEnvironment environment;
     const double deep_kd = omega * omega / gravity_mps2 * depth_m;
     double kd = deep_kd / std::sqrt(det::tanh(deep_kd));
     for (int step = 0; step < newton_steps; ++step) kd -= newton_change(kd, det::tanh(kd), deep_kd);
@@ -102,6 +105,7 @@ void wave_numbers(double omega, std::span<const double> depths_m, std::span<doub
 }
 
 std::uint32_t loop_harmonic(double omega, double loop_period_s) {
+    const DefaultFloatEnvironment environment;
     const double periods = std::floor(omega * loop_period_s / two_pi + 0.5);
     return periods < 1 ? 1 : static_cast<std::uint32_t>(periods);
 }

@@ -1,36 +1,15 @@
-// The dispersion relation, and the quantisation of frequencies that makes the sea loop exactly.
+// Quantities that follow from the dispersion relation (sim/dispersion.hpp): group velocity, drift,
+// the effects of a finite depth, and the phase of a wave in the loop.
 //
-//   omega^2 = (g k + (T/rho) k^3) tanh(k depth)
-//             Lamb 1932, article 267; VR Ocean, equation 15, is the case of deep water and T = 0
-//   q(k)    = max(1, round(omega T / 2 pi))
-//             equation 16, with round instead of floor (errata)
 //   phase   = q f turns, f = t / T as a 32-bit fraction of the loop
 #pragma once
 
 #include <cstdint>
 
+#include "pelagic/sim/dispersion.hpp"
 #include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
-
-/// Standard gravity, m/s^2 (ISO 80000-3).
-
-/// Surface tension over density, T/rho, m^3/s^2: 0.074 N/m (Lamb 1932, article 267) over 1025
-/// kg/m^3 for sea water. Waves of 1.7 cm have the lowest phase speed. Waves longer than 7 cm become
-/// less than 3 % faster.
-inline constexpr double sea_surface_tension_m3ps2 = 0.074 / 1025;
-
-/// Depth and surface tension of the water. Converts from a depth alone.
-struct Water {
-    constexpr Water(double depth, double tension = 0) : depth_m(depth), tension_m3ps2(tension) {}
-
-    double depth_m;
-    /// T/rho; 0 disables surface tension, bit-identical to omitting the term.
-    double tension_m3ps2;
-};
-
-/// Returns omega in rad/s. \param k  wave number in rad/m
-double angular_frequency(double k, const Water& water);
 
 /// Returns d omega / d k in m/s. \pre k > 0
 double group_velocity(double k, const Water& water);
@@ -51,14 +30,6 @@ double orbit_ratio(double k, double depth_m);
 /// double cannot distinguish the depth from infinity. Includes gravity only, because the depth does
 /// not affect capillary waves. \pre k > 0
 double depth_factor(double k, double depth_m);
-
-/// Returns k in rad/m, with gravity only: the inverse of angular_frequency(k, depth_m) within
-/// 1e-12.
-/// \param omega  rad/s \pre omega > 0
-double wave_number(double omega, double depth_m);
-
-/// Returns the wave's number of periods in one loop, at least 1, so that no wave is static.
-std::uint32_t loop_harmonic(double omega, double loop_period_s);
 
 /// A moment of the loop in units of 2^-32 of its period. The phase of a wave is harmonic * turns
 /// mod 2^32. Integer arithmetic keeps it exact for any run time.

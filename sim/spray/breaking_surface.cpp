@@ -4,7 +4,6 @@
 
 #include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/query/shore_weights.hpp"
 #include "pelagic/sim/shore.hpp"
 
 namespace pelagic {

@@ -1,37 +1,199 @@
-#include "pelagic/sim/surface/cascade_sum.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-namespace pelagic {
+#include "pelagic/sim/buffers/surface_texels.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
-Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
+namespace pelagic {
+namespace {
+
+/// A position in texels, along the axes of a cascade.
+struct TexelPlace {
+    double along, across;
+};
+
+TexelPlace place_in_texels(const Cascade& cascade, double x_m, double z_m) {
     const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
     const double texels_per_m = cascade.resolution() / cascade.grid.side_m;
-    const double x = place.along * texels_per_m, z = place.across * texels_per_m;
-    const double column = std::floor(x), row = std::floor(z);
-    const double right = x - column, down = z - row;
-    // The resolution is a power of two, so the mask also wraps negative indices.
-    const int mask = cascade.resolution() - 1;
-    const int i0 = static_cast<int>(static_cast<long long>(column) & mask), i1 = (i0 + 1) & mask;
-    const int j0 = static_cast<int>(static_cast<long long>(row) & mask), j1 = (j0 + 1) & mask;
-    const auto between = [&](const PlaneView& plane) {
-        const auto at = [&](int i, int j) { return static_cast<double>(plane.at(i, j)); };
-        const double upper = at(i0, j0) + right * (at(i1, j0) - at(i0, j0));
-        const double lower = at(i0, j1) + right * (at(i1, j1) - at(i0, j1));
-        return upper + down * (lower - upper);
-    };
-    return {between(cascade.dx), between(cascade.height), between(cascade.dz)};
+    return {place.along * texels_per_m, place.across * texels_per_m};
 }
 
-Displacement displacement_of(const Frame& frame, double x_m, double z_m) {
+/// Interpolates three planes.
+Displacement between(const SurfaceTexels& texels, const std::array<const float*, 3>& planes, const TexelPlace& at) {
+    const double column = std::floor(at.along), row = std::floor(at.across);
+    const double right = at.along - column, down = at.across - row;
+    // The resolution is a power of two, so the mask also wraps negative indices.
+    const int mask = texels.resolution - 1;
+    const int i = static_cast<int>(static_cast<long long>(column) & mask);
+    const int j = static_cast<int>(static_cast<long long>(row) & mask);
+    const std::ptrdiff_t upper_left = place_of(texels, i, j), upper_right = place_of(texels, i + 1, j);
+    const std::ptrdiff_t lower_left = place_of(texels, i, j + 1), lower_right = place_of(texels, i + 1, j + 1);
+    const auto value = [&](const float* plane) {
+        const auto texel = [plane](std::ptrdiff_t place) { return static_cast<double>(plane[place]); };
+        const double upper = texel(upper_left) + right * (texel(upper_right) - texel(upper_left));
+        const double lower = texel(lower_left) + right * (texel(lower_right) - texel(lower_left));
+        return upper + down * (lower - upper);
+    };
+    return {value(planes[0]), value(planes[1]), value(planes[2])};
+}
+
+template <class Of>
+Displacement summed(const Frame& frame, const Of& of) {
     Displacement sum;
     for (const Cascade& cascade : frame.cascades) {
-        const Displacement one = displacement_of(cascade, x_m, z_m);
+        const Displacement one = of(cascade);
         sum.dx += one.dx;
         sum.height += one.height;
         sum.dz += one.dz;
     }
     return sum;
+}
+
+/// Four texels around a position, and their weights.
+struct WeightedTexels {
+    std::array<std::size_t, 4> index;
+    std::array<float, 4> weight;
+};
+
+WeightedTexels texels_at(const Cascade& cascade, double columns, double rows) {
+    const double n = cascade.resolution();
+    const auto side = static_cast<std::size_t>(cascade.resolution());
+    const double x = columns - std::floor(columns / n) * n, z = rows - std::floor(rows / n) * n;
+    const double left = std::floor(x), upper = std::floor(z);
+    const auto u = static_cast<float>(x - left), v = static_cast<float>(z - upper);
+    // Rounding may move a position just below 0 to N.
+    const std::size_t i = static_cast<std::size_t>(left) & (side - 1),
+                      j = static_cast<std::size_t>(upper) & (side - 1);
+    const std::size_t right = (i + 1) & (side - 1), lower = (j + 1) & (side - 1);
+    return {{j * side + i, j * side + right, lower * side + i, lower * side + right},
+            {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
+}
+
+}  // namespace
+
+Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    const SurfaceTexels texels = texels_of(cascade);
+    return between(texels, {texels.dx, texels.height, texels.dz}, place_in_texels(cascade, x_m, z_m));
+}
+
+Displacement displacement_of(const Frame& frame, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    return summed(frame, [=](const Cascade& cascade) { return displacement_of(cascade, x_m, z_m); });
+}
+
+Displacement velocity_of(const Cascade& cascade, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    const SurfaceTexels texels = texels_of(cascade);
+    return between(texels, {texels.velocity_x, texels.velocity_y, texels.velocity_z}, place_in_texels(cascade, x_m, z_m));
+}
+
+Displacement velocity_of(const Frame& frame, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    return summed(frame, [=](const Cascade& cascade) { return velocity_of(cascade, x_m, z_m); });
+}
+
+// Interpolation commutes with differences of whole texels, so these are the interpolated slopes of
+// the texels.
+SurfaceSlopes slopes_of(const Cascade& cascade, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    const SurfaceTexels texels = texels_of(cascade);
+    const TexelPlace at = place_in_texels(cascade, x_m, z_m);
+    const auto derivative = [&](double along, double across) {
+        const auto difference = [&](double reach) {
+            const auto moved = [&](double by) {
+                return between(texels, {texels.dx, texels.height, texels.dz},
+                               {at.along + by * along, at.across + by * across});
+            };
+            const Displacement ahead = moved(reach), behind = moved(-reach);
+            return Displacement{ahead.dx - behind.dx, ahead.height - behind.height, ahead.dz - behind.dz};
+        };
+        const Displacement near = difference(1), far = difference(2);
+        const auto per_m = [&](double one, double two) {
+            return (SlopesJob::near_weight * one + SlopesJob::far_weight * two) / cascade.texel_m();
+        };
+        return Displacement{per_m(near.dx, far.dx), per_m(near.height, far.height), per_m(near.dz, far.dz)};
+    };
+    const Displacement u = derivative(1, 0), v = derivative(0, 1);
+    const double cosine = cascade.grid.cosine, sine = cascade.grid.sine;
+    const auto along_x = [=](double of_u, double of_v) { return cosine * of_u - sine * of_v; };
+    const auto along_z = [=](double of_u, double of_v) { return sine * of_u + cosine * of_v; };
+    return {.h_x = along_x(u.height, v.height),
+            .h_z = along_z(u.height, v.height),
+            .d_xx = along_x(u.dx, v.dx),
+            .d_zz = along_z(u.dz, v.dz),
+            .d_xz = 0.5 * (along_z(u.dx, v.dx) + along_x(u.dz, v.dz))};
+}
+
+SurfaceSlopes slopes_of(const Frame& frame, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    SurfaceSlopes sum;
+    for (const Cascade& cascade : frame.cascades) sum += slopes_of(cascade, x_m, z_m);
+    return sum;
+}
+
+double jacobian_of(const Frame& frame, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    return normal_of(slopes_of(frame, x_m, z_m)).y;
+}
+
+double compression_of(const Frame& frame, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    double sum = 0;
+    for (const Cascade& cascade : frame.cascades) {
+        if (cascade.compression_scale == 0) continue;
+        const SurfaceSlopes slopes = slopes_of(cascade, x_m, z_m);
+        sum -= double{cascade.compression_scale} * (slopes.d_xx + slopes.d_zz);
+    }
+    return sum;
+}
+
+FoamSampler::FoamSampler(const Frame& frame)
+    : cascades_(frame.cascades), foam_(frame.foam), has_foam_(frame.has_foam) {
+    for (std::size_t slot = 0; slot < SnapshotFoam::slots; ++slot)
+        if (foam_.age[slot] < 1) slots_[slot_count_++] = static_cast<std::uint8_t>(slot);
+    std::sort(slots_.begin(), slots_.begin() + static_cast<std::ptrdiff_t>(slot_count_),
+              [&](std::uint8_t a, std::uint8_t b) { return foam_.age[a] < foam_.age[b]; });
+}
+
+float FoamSampler::at(double x_m, double z_m, std::span<const float> weights) const {
+    const DefaultFloatEnvironment environment;
+    std::array<WeightedTexels, max_cascades> drifted;
+    std::array<const Cascade*, max_cascades> cascades;
+    std::array<float, max_cascades> factors;
+    std::size_t count = 0;
+    float present = 0;
+    for (std::size_t i = 0; i < cascades_.size(); ++i) {
+        const Cascade& cascade = cascades_[i];
+        if (cascade.compression_r8.empty()) continue;
+        const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
+        const double columns = place.along / cascade.texel_m(), rows = place.across / cascade.texel_m();
+        const WeightedTexels here = texels_at(cascade, columns, rows);
+        drifted[count] = texels_at(cascade, columns - cascade.drift_columns, rows - cascade.drift_rows);
+        factors[count] = weights.empty() ? 1 : weights[i];
+        float byte = 0;
+        for (std::size_t t = 0; t < 4; ++t)
+            byte += here.weight[t] * static_cast<float>(cascade.compression_r8[here.index[t]]);
+        present += factors[count] * (SnapshotFoam::lowest + SnapshotFoam::step * byte);
+        cascades[count++] = &cascade;
+    }
+    float foam = foam_.fresh(present);
+    for (std::size_t s = 0; s < slot_count_ && 1 - foam_.age[slots_[s]] > foam; ++s) {
+        const std::size_t image = slots_[s] / 4;
+        const std::uint32_t shift = 8 * (slots_[s] % 4u);
+        float sum = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t* const words = cascades[i]->snapshots_rgba8[image].data();
+            float byte = 0;
+            for (std::size_t t = 0; t < 4; ++t)
+                byte += drifted[i].weight[t] * static_cast<float>(words[drifted[i].index[t]] >> shift & 255);
+            sum += factors[i] * (SnapshotFoam::lowest + SnapshotFoam::step * byte);
+        }
+        foam = std::max(foam, foam_.fresh(sum) - foam_.age[slots_[s]]);
+    }
+    return foam;
 }
 
 }  // namespace pelagic

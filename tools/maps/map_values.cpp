@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "pelagic/sim/frame_buffers.hpp"
-#include "pelagic/sim/query/foam_sampler.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/simd/strict_floats.hpp"
 #include "pelagic/tools/maps/cascade_differences.hpp"
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "pelagic/message/number_text.hpp"
-#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/dispersion.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/tools/measure/fourier.hpp"

@@ -10,8 +10,7 @@
 
 #include "pelagic/quadtree/patch_mesh.hpp"
 #include "pelagic/quadtree/patch_vertex.hpp"
-#include "pelagic/sim/query/foam_sampler.hpp"
-#include "pelagic/sim/surface/cascade_sum.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/tools/meshes/sea_mesh.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 

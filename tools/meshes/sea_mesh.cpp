@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/query/foam_sampler.hpp"
-#include "pelagic/sim/surface/cascade_sum.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 
 namespace pelagic::tools {
 
