@@ -112,6 +112,31 @@ TEST(ExportTrace, NumbersFramesOfFoamAndNamesTicks) {
     EXPECT_EQ(files["encode foam"], 6 * mip_levels(32));
 }
 
+/// Returns how many frames an export computed.
+std::size_t frames_computed(const std::filesystem::path& trace) {
+    const std::vector<json> events = checked_events(trace);
+    return static_cast<std::size_t>(std::count_if(
+        events.begin(), events.end(), [](const json& event) { return event["ph"] == "b" && event["name"] == "frame"; }));
+}
+
+TEST(ExportTrace, MeshesAndFlipbooksOfAllFramesComputeEachFrameOnce) {
+    const TemporaryFolder folder;
+    const Arguments arguments = small_export(
+        folder / "sea", {"--maps", "displacement", "--frames", "4", "--flipbook", "2x2", "--mesh",
+                         "obj,gltf-animation,mdd", "--mesh-steps", "8", "--trace", (folder / "trace.json").string()});
+    ASSERT_EQ(run_pelagic(arguments).exit_code, 0);
+    EXPECT_EQ(frames_computed(folder / "trace.json"), 4u);
+    const std::string animation = read_file(folder / "sea" / "mesh.glb");
+
+    // A frame is missing: the files of all frames need the others, too, but none of them twice.
+    std::filesystem::remove(folder / "sea" / "mesh_0002.obj");
+    std::filesystem::remove(folder / "sea" / "mesh.glb");
+    ASSERT_EQ(run_pelagic(joined(arguments, {"--resume"})).exit_code, 0);
+    EXPECT_EQ(frames_computed(folder / "trace.json"), 4u);
+    EXPECT_EQ(read_file(folder / "sea" / "mesh.glb"), animation);
+    EXPECT_TRUE(std::filesystem::exists(folder / "sea" / "mesh_0002.obj"));
+}
+
 TEST(ExportTrace, AddsOneFileAndChangesNoOther) {
     const TemporaryFolder plain, traced;
     ASSERT_EQ(run_pelagic(export_with_mips(plain.path(), {"--frames", "2"})).exit_code, 0);

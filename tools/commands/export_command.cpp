@@ -75,44 +75,41 @@ void keep_events(const EventFile& events, const OutputFolder& folder) {
         }
 }
 
-/// Computes and writes the frames that `records` lacks.
-void make_frames(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
-                 std::map<int, FrameRecord>& records, const std::shared_ptr<ChromeTrace>& trace) {
-    std::vector<int> missing = options.frames_here();
-    std::erase_if(missing, [&](int number) { return records.contains(number); });
-    if (missing.empty()) return;
+/// Computes each frame once, and writes the frames that `records` lacks and the files that are made of
+/// all frames together. Frames of the record are computed again only for such files.
+/// \return the records of the files made of all frames
+std::vector<FileRecord> make_frames(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
+                                    std::map<int, FrameRecord>& records, const std::shared_ptr<ChromeTrace>& trace) {
+    const std::vector<std::unique_ptr<SequenceOutput>> outputs = sequence_outputs(options);
+    std::vector<int> numbers = options.frames_here();
+    if (outputs.empty()) std::erase_if(numbers, [&](int number) { return records.contains(number); });
+    if (numbers.empty()) return {};
 
     const OceanOptions how = ocean_options(options, trace);
     Ocean ocean(forecast_of(options.sea), how);
     const std::unique_ptr<EventPlayer> player = event_player(options, how);
-    FrameWriter writer(options, folder, journal, records, trace.get(), bytes_for_writing(ocean.memory_bytes()));
-    const bool all_made = for_each_frame(options, ocean, player.get(), missing,
-                                         [&](int number, const Frame& frame) { writer.write(number, frame); });
+    // The outputs hold all frames in memory.
+    const std::size_t max_bytes =
+        outputs.empty() ? bytes_for_writing(ocean.memory_bytes()) : min_bytes_for_writing;
+    FrameWriter writer(options, folder, journal, records, trace.get(), max_bytes);
+    std::size_t index = 0;
+    const bool all_made =
+        for_each_frame(options, ocean, player.get(), numbers, [&](int number, const Frame& frame) {
+            if (!records.contains(number)) writer.write(number, frame);
+            for (const auto& output : outputs) output->add(index, frame);
+            ++index;
+        });
     writer.finish();
     if (!all_made) throw stopped(options, records.size());
-}
 
-/// Computes all frames again for the files that are made of all frames together.
-std::vector<FileRecord> make_sequences(const ExportOptions& options, const OutputFolder& folder,
-                                       const std::shared_ptr<ChromeTrace>& trace) {
-    const std::vector<std::unique_ptr<SequenceOutput>> outputs = sequence_outputs(options);
-    if (outputs.empty()) return {};
-    const std::vector<int> numbers = options.frames_here();
-    Ocean ocean(forecast_of(options.sea), ocean_options(options, trace));
-    std::size_t index = 0;
-    const bool all_seen = for_each_frame(options, ocean, nullptr, numbers, [&](int, const Frame& frame) {
-        for (const auto& output : outputs) output->add(index, frame);
-        ++index;
-    });
-    if (!all_seen) throw stopped(options, numbers.size());
-    std::vector<FileRecord> records;
+    std::vector<FileRecord> files;
     for (const auto& output : outputs)
         for (const SequenceOutput::File& file : output->finish()) {
             const std::string_view bytes(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
             folder.write(file.name, bytes);
-            records.push_back({file.name, digest_of(bytes)});
+            files.push_back({file.name, digest_of(bytes)});
         }
-    return records;
+    return files;
 }
 
 void write_trace(const OutputFile& file, const ChromeTrace& trace) {
@@ -139,8 +136,7 @@ void run_export(const ExportOptions& options) {
     const auto trace = options.trace ? std::make_shared<ChromeTrace>() : nullptr;
     std::vector<FileRecord> sequence_files;
     try {
-        make_frames(options, folder, journal, records, trace);
-        sequence_files = make_sequences(options, folder, trace);
+        sequence_files = make_frames(options, folder, journal, records, trace);
     } catch (const Stopped&) {
         if (trace) write_trace(*trace_file, *trace);
         throw;

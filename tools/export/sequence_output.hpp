@@ -1,5 +1,4 @@
-// Interface of outputs made of all frames together, such as flipbooks and animations. The frames
-// are added in order, after the images are written.
+// Outputs made of all frames together: flipbooks, animations of morph targets, and point caches.
 #pragma once
 
 #include <memory>
@@ -11,6 +10,7 @@
 
 namespace pelagic::tools {
 
+/// Frames are added in order, each as soon as it is computed.
 class SequenceOutput {
    public:
     struct File {
@@ -24,6 +24,9 @@ class SequenceOutput {
     virtual void add(std::size_t index, const Frame& frame) = 0;
     virtual std::vector<File> finish() = 0;
 };
+
+/// Returns the output that --mesh selects, of mesh.glb and mesh.mdd; empty without them.
+std::vector<std::unique_ptr<SequenceOutput>> mesh_sequences(const ExportOptions& options);
 
 /// Returns the outputs that the options select.
 std::vector<std::unique_ptr<SequenceOutput>> sequence_outputs(const ExportOptions& options);
