@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <span>
@@ -17,11 +16,9 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/simd/half_float.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tests/sanitized.hpp"
+#include "pelagic/tools/encode/film.hpp"
 #include "pelagic/tools/files/zstd.hpp"
 #include "pelagic/tools/maps/map_image.hpp"
-#include "pelagic/tools/preview/film.hpp"
-#include "pelagic/tools/preview/shaded_sea.hpp"
 
 namespace pelagic {
 namespace {
@@ -35,15 +32,15 @@ const SeaState textured_gale{
 
 /// \param cascades  "2", or "1" for maps of foam
 Outcome export_textures_to(const std::filesystem::path& folder, const Arguments& more,
-                           const std::function<void()>& in_child = {}, const std::string& cascades = "2") {
+                           const std::string& cascades = "2") {
     const Arguments gale_flags = {
         "export", "--no-sync",    "--out", folder.string(), "--cascades", cascades,        "--resolution",
         "32",     "--wind-speed", "20",    "--fetch",       "100",        "--loop-period", "8"};
-    return run_pelagic(joined(gale_flags, more), in_child);
+    return run_pelagic(joined(gale_flags, more));
 }
 
 void expect_export(const std::filesystem::path& folder, const Arguments& more, const std::string& cascades = "2") {
-    const Outcome outcome = export_textures_to(folder, more, {}, cascades);
+    const Outcome outcome = export_textures_to(folder, more, cascades);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
@@ -273,15 +270,14 @@ TEST_F(ExportedTextures, PreviewDescribesTheExportWithoutWritingIt) {
     const Arguments what = {"--maps", "displacement,compression", "--frames", "2"};
     Arguments preview = what;
     preview.push_back("--preview");
-    const Outcome outcome = export_textures_to(folder_ / "preview", preview, [] { ::setenv("PATH", "/nowhere", 1); });
+    const Outcome outcome = export_textures_to(folder_ / "preview", preview);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files_in(folder_ / "preview")) names.push_back(name);
-    EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "preview.png", "preview_loop.png"}));
-    EXPECT_NE(outcome.out.find("no film: ffmpeg is not in PATH"), std::string::npos) << outcome.out;
-    // Two frames of 640 x 360 side by side.
-    const Texels strip = read_png_as(folder_ / "preview" / "preview_loop.png", PNG_FORMAT_RGB, 1280, 360);
-    EXPECT_GT(std::set<unsigned char>(strip.begin(), strip.end()).size(), 50u) << "it shows hardly anything";
+    EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "preview.png"}));
+    // One row of four maps, each 444 pixels wide.
+    const Texels sheet = read_png_as(folder_ / "preview" / "preview.png", PNG_FORMAT_RGB, 1896, 716);
+    EXPECT_GT(std::set<unsigned char>(sheet.begin(), sheet.end()).size(), 50u) << "it shows hardly anything";
 
     expect_export(folder_ / "export", what);
     const auto made = files_in(folder_ / "export");
@@ -296,17 +292,6 @@ TEST_F(ExportedTextures, PreviewDescribesTheExportWithoutWritingIt) {
     EXPECT_NEAR(printed, bytes / 1000, 0.05 * printed) << outcome.out;
 }
 
-TEST_F(ExportedTextures, PreviewPrintsWhyThereIsNoFilm) {
-    if (is_sanitized) GTEST_SKIP() << "takes half a minute; the tests above and below cover drawing and encoding";
-    write_file(folder_ / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
-    std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
-    const std::string path = folder_.path().string() + ":/usr/bin:/bin";
-    const Outcome outcome = export_textures_to(folder_ / "preview", {"--maps", "compression", "--preview"},
-                                               [&] { ::setenv("PATH", path.c_str(), 1); });
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("no film: ffmpeg failed: no such encoder"), std::string::npos) << outcome.out;
-}
-
 TEST(Film, ReturnsTheEncodersErrorMessage) {
     const TemporaryFolder folder;
     write_file(folder / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
@@ -319,42 +304,6 @@ TEST(Film, ReturnsTheEncodersErrorMessage) {
     ::setenv("PATH", path.c_str(), 1);
     EXPECT_TRUE(encoded.mp4.empty());
     EXPECT_EQ(encoded.reason, "ffmpeg failed: no such encoder");
-}
-
-TEST(ShadedSea, IsBitIdenticalForEachInstructionSetAndThreadCount) {
-    std::vector<std::uint8_t> first;
-    for (const Isa isa : isas_here())
-        for (const int threads : {1, 3}) {
-            const auto executor = make_thread_executor(threads);
-            Ocean ocean(textured_gale, {.executor = executor, .isa = isa, .foam = true});
-            tools::ShadedSea shaded(textured_gale, 64, 36, executor);
-            const std::vector<std::uint8_t>& pixels = shaded.draw(ocean.frame_at(2));
-            if (first.empty()) first = pixels;
-            EXPECT_EQ(pixels, first) << pelagic::name_of(isa) << ", " << threads << " threads";
-        }
-}
-
-// The camera looks 12 degrees down with a vertical field of view of 40 degrees: the horizon is 12 %
-// below the image's upper edge.
-TEST(ShadedSea, WaterFillsTheImageBelowTheHorizon) {
-    const auto executor = make_serial_executor();
-    const SeaState storm{.cascades = 2, .resolution = 64, .wind_speed_mps = 25, .fetch_m = 200e3};
-    Ocean ocean(storm, {.executor = executor, .foam = true});
-    constexpr int width = 160, height = 90;
-    tools::ShadedSea shaded(storm, width, height, executor);
-    const std::vector<std::uint8_t> pixels = shaded.draw(ocean.frame_at(1));
-    const std::vector<std::uint8_t> later = shaded.draw(ocean.frame_at(2));
-    const auto moved = [&](int row) {
-        int count = 0;
-        for (int i = row * width; i < (row + 1) * width; ++i)
-            count +=
-                !std::equal(&pixels[4 * static_cast<std::size_t>(i)], &pixels[4 * static_cast<std::size_t>(i) + 3],
-                            &later[4 * static_cast<std::size_t>(i)]);
-        return count;
-    };
-    // The sky does not move; after a second almost every pixel of water has another colour.
-    for (int row = 0; row < 8; ++row) EXPECT_EQ(moved(row), 0) << row;
-    for (int row = 40; row < height; ++row) EXPECT_GT(moved(row), width * 9 / 10) << row;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 pelagic=$1
-for program in node npm python3 ffmpeg ffprobe nvddsinfo; do
+for program in node npm python3 ffmpeg nvddsinfo; do
   command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh all installs it on Debian"; exit 77; }
 done
 mkdir -p "$2"
@@ -26,8 +26,7 @@ while read -r line; do
   bash -c "$line" </dev/null | tee last_output
   case $line in
     *--preview)
-      frames=$(ffprobe -v error -count_frames -select_streams v -show_entries stream=nb_read_frames -of csv=p=0 sea/preview.mp4)
-      [ "$frames" = 96 ] || { echo "preview.mp4 has $frames frames, expected 96"; exit 1; }
+      [ -s sea/preview.png ] || { echo "there is no sea/preview.png"; exit 1; }
       ! ls sea/*.ktx2 2>/dev/null
       ;;
     node*) cp last_output drawn ;;

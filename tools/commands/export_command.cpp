@@ -124,7 +124,7 @@ void run_export(const ExportOptions& options) {
     const OutputFolder folder(options.folder, options.sync ? Sync::yes : Sync::no);
     std::optional<FolderLock> lock;
     if (options.lock) lock.emplace(folder, "--out", options.shard);
-    if (options.preview) return preview_export(options, ocean_options(options, nullptr), folder);
+    if (options.preview) return preview_export(options, folder);
     ExportJournal journal(options, folder);
     std::optional<OutputFile> trace_file;
     if (options.trace) trace_file.emplace(*options.trace);

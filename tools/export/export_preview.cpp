@@ -10,30 +10,19 @@
 #include "pelagic/message/one_line.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/encode/encode_image.hpp"
-#include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/export/export_summary.hpp"
+#include "pelagic/tools/export/exported_frame.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
-#include "pelagic/tools/export/mesh_sequences.hpp"
-#include "pelagic/tools/preview/film.hpp"
-#include "pelagic/tools/preview/map_preview.hpp"
-#include "pelagic/tools/preview/rgba_image.hpp"
-#include "pelagic/tools/preview/shaded_sea.hpp"
-#include "pelagic/tools/text/progress.hpp"
-#include "pelagic/tools/text/stop_signal.hpp"
+#include "pelagic/tools/export/preview_image.hpp"
+#include "pelagic/tools/export/sequence_output.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-// Limits of the film: long enough to show the motion, about ten seconds to make on two cores.
-constexpr std::size_t max_film_frames = 96;
-constexpr int film_width = 640, film_height = 360;
-/// Frames of the strip, in two columns.
-constexpr std::size_t strip_frames = 8, strip_columns = 2;
-
 // Layout of the sheet, in pixels.
 constexpr int cells_a_row = 4, cell_side = 444, margin = 24, line_height = 28;
-constexpr int sheet_width = cells_a_row * (cell_side + margin) + margin, still_height = 660;
+constexpr int sheet_width = cells_a_row * (cell_side + margin) + margin;
 constexpr int small_text = 2, large_text = 4;
 constexpr Colour paper = {24, 28, 32}, ink = {232, 236, 240}, pale_ink = {150, 160, 170};
 
@@ -138,22 +127,21 @@ std::vector<Cell> cells_of(const ExportOptions& options, const Frame& frame) {
     return cells;
 }
 
-RgbaImage sheet_of(const std::vector<std::string>& titles, const RgbaImage& still, const std::vector<Cell>& cells) {
+RgbaImage sheet_of(const std::vector<std::string>& titles, const std::vector<Cell>& cells) {
     constexpr int texts_height = 4 * line_height + margin;
     const int head = margin + 2 * line_height + static_cast<int>(titles.size() - 1) * line_height;
     const int rows = (static_cast<int>(cells.size()) + cells_a_row - 1) / cells_a_row;
-    RgbaImage sheet(sheet_width, head + still.height() + margin + rows * (cell_side + texts_height), paper);
+    RgbaImage sheet(sheet_width, head + rows * (cell_side + texts_height), paper);
     int y = margin;
     for (const std::string& title : titles) {
         const bool is_first = &title == &titles.front();
         sheet.write(margin, y, title, is_first ? ink : pale_ink, is_first ? large_text : small_text);
         y += is_first ? 2 * line_height : line_height;
     }
-    sheet.paste(margin, head, still);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const int row = static_cast<int>(i) / cells_a_row, column = static_cast<int>(i) % cells_a_row;
         const int left = margin + column * (cell_side + margin);
-        const int top = head + still.height() + margin + row * (cell_side + texts_height);
+        const int top = head + row * (cell_side + texts_height);
         sheet.paste(left, top, cells[i].image);
         int text_top = top + cell_side + line_height / 2;
         for (const std::string& text : cells[i].texts) {
@@ -165,97 +153,22 @@ RgbaImage sheet_of(const std::vector<std::string>& titles, const RgbaImage& stil
     return sheet;
 }
 
-RgbaImage preview_of(const ShadedSea& shaded, const std::vector<std::uint8_t>& rgba) {
-    return {shaded.width(), shaded.height(), rgba};
-}
-
-RgbaImage strip_of(const std::vector<RgbaImage>& images) {
-    const auto rows = static_cast<int>((images.size() + strip_columns - 1) / strip_columns);
-    const auto columns = static_cast<int>(std::min(strip_columns, images.size()));
-    RgbaImage strip(columns * film_width, rows * film_height, paper);
-    for (std::size_t i = 0; i < images.size(); ++i)
-        strip.paste(static_cast<int>(i % strip_columns) * film_width,
-                    static_cast<int>(i / strip_columns) * film_height, images[i]);
-    return strip;
-}
-
-void write_bytes(const OutputFolder& folder, const char* name, const std::vector<unsigned char>& bytes) {
-    folder.write(name, std::as_bytes(std::span(bytes)));
-}
-
-void write_preview_png(const OutputFolder& folder, const char* name, const RgbaImage& image) {
-    write_bytes(folder, name, encode_png(image.pixels(), image.width(), image.height()));
-}
-
-/// Renders the first frames of the export as a film, or some of them as a strip.
-class FilmMaker {
-   public:
-    FilmMaker(const ExportOptions& options, Ocean& ocean, const std::shared_ptr<Executor>& executor)
-        : times_(options.times),
-          ocean_(ocean),
-          shaded_(options.sea.sea, film_width, film_height, executor),
-          frames_(std::min(times_.count(), max_film_frames)) {}
-
-    /// Writes the film or the strip. Returns a line that describes the file.
-    std::string write_to(const OutputFolder& folder) {
-        const double fps = times_.fps.value_or(static_cast<double>(times_.count()) / times_.loop_period_s);
-        std::optional<Film> film;
-        if (can_make_films()) film.emplace(film_width, film_height, fps);
-        std::vector<RgbaImage> strip;
-        Progress progress("frame of the film", frames_);
-        const std::size_t step = std::max<std::size_t>(1, frames_ / strip_frames);
-        for (std::size_t i = 0; i < frames_; ++i) {
-            const bool is_in_strip = i % step == 0 && strip.size() < strip_frames;
-            if (!film && !is_in_strip) continue;
-            if (stop_signal() != 0) throw Stopped{stop_signal(), static_cast<int>(i), static_cast<int>(frames_)};
-            progress.show(i);
-            const std::vector<std::uint8_t>& pixels = shaded_.draw(ocean_.frame_at(times_.time_of(times_.number(i))));
-            if (is_in_strip) strip.push_back(preview_of(shaded_, pixels));
-            if (film) film->add(pixels);
-        }
-        const std::string what = number_text(frames_) + " of " + number_text(times_.count()) + " frames";
-        const Film::Encoded encoded = film ? film->finish() : Film::Encoded{{}, "ffmpeg is not in PATH"};
-        if (!encoded.mp4.empty()) {
-            write_bytes(folder, preview_film_name, encoded.mp4);
-            folder.remove(preview_strip_name);
-            return (folder.path() / preview_film_name).string() + ": " + what + ", " + rounded_text(fps, 4) +
-                   " a second";
-        }
-        write_preview_png(folder, preview_strip_name, strip_of(strip));
-        folder.remove(preview_film_name);
-        return (folder.path() / preview_strip_name).string() + ": " + number_text(strip.size()) + " of the first " +
-               what + ", and no film: " + encoded.reason;
-    }
-
-   private:
-    const FrameTimes& times_;
-    Ocean& ocean_;
-    ShadedSea shaded_;
-    std::size_t frames_;
-};
-
 }  // namespace
 
-void preview_export(const ExportOptions& options, OceanOptions how, const OutputFolder& folder) {
-    how.slopes = how.foam = true;  // for the image of the sea
+void preview_export(const ExportOptions& options, const OutputFolder& folder) {
+    const OceanOptions how = ocean_options(options, nullptr);
     Ocean ocean(forecast_of(options.sea), how);
-    const double first_s = options.times.time_of(options.times.number(0));
-    Frame frame = ocean.frame_at(first_s);
-    std::optional<EventPlayer> player;
-    if (options.events) frame.dynamic_waves = player.emplace(*options.events, how.executor, how.isa).at(first_s);
-    const Expected expected = expected_of(options, frame);
+    const std::unique_ptr<EventPlayer> player = event_player(options, how);
+    const Frame frame = exported_frame(ocean.frame_at(options.times.time_of(options.times.number(0))), player.get());
+    const std::string expected = expected_text(expected_of(options, frame));
     const std::string sea = "Hs " + rounded_text(measured_significant_wave_height_m(frame), 3) + " m, peak period " +
                             peak_period_text(expected_waves(options.sea.sea).peak_period_s,
                                              options.sea.sea.loop_period_s, 2);
-    ShadedSea still(options.sea.sea, sheet_width - 2 * margin, still_height, how.executor);
-    const RgbaImage image = preview_of(still, still.draw(frame));
-    write_preview_png(
-        folder, preview_sheet_name,
-        sheet_of({sea, times_text(options.times), expected_text(expected)}, image, cells_of(options, frame)));
-    const std::string film = FilmMaker(options, ocean, how.executor).write_to(folder);
-    std::printf("%s: the maps of the first frame, %s\n%s\nThe export will have %s. Nothing of it was written.\n",
-                escaped((folder.path() / preview_sheet_name).string()).c_str(), sea.c_str(), film.c_str(),
-                expected_text(expected).c_str());
+    const RgbaImage sheet = sheet_of({sea, times_text(options.times), expected}, cells_of(options, frame));
+    const std::vector<unsigned char> png = encode_png(sheet.pixels(), sheet.width(), sheet.height());
+    folder.write(preview_name, std::as_bytes(std::span(png)));
+    std::printf("%s: the maps of the first frame, %s\nThe export will have %s. Nothing of it was written.\n",
+                escaped((folder.path() / preview_name).string()).c_str(), sea.c_str(), expected.c_str());
 }
 
 }  // namespace pelagic::tools

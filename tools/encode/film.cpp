@@ -1,4 +1,4 @@
-#include "pelagic/tools/preview/film.hpp"
+#include "pelagic/tools/encode/film.hpp"
 
 #include <spawn.h>
 #include <sys/mman.h>

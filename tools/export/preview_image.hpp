@@ -1,10 +1,12 @@
-// RGBA images composed of rectangles, images and text.
+// RGBA images composed of rectangles, images and text, and images of maps.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "pelagic/tools/maps/map_image.hpp"
 
 namespace pelagic::tools {
 
@@ -34,5 +36,16 @@ class RgbaImage {
     int width_, height_;
     std::vector<std::uint8_t> pixels_;
 };
+
+struct MapPreview {
+    RgbaImage image;
+    float min, max;  ///< range of the values over all channels
+};
+
+/// Draws a map as a square image. Integers are shown unscaled. Floats are scaled by their largest
+/// magnitude m: black to white is [-m, m] if some are negative, else [0, m]. One channel is shown
+/// as grey; a fourth is ignored.
+/// \param side  side of the image in pixels; pixels are means of texels, or texels are repeated
+MapPreview preview_of(const MapImage& map, int side);
 
 }  // namespace pelagic::tools
