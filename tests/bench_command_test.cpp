@@ -13,7 +13,6 @@
 #include "pelagic/tests/test_paths.hpp"
 #include "pelagic/tools/benchmark/frame_timing.hpp"
 #include "pelagic/tools/benchmark/stage_work.hpp"
-#include "pelagic/tools/benchmark/stored_results.hpp"
 
 namespace pelagic {
 namespace {
@@ -81,8 +80,6 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
     EXPECT_EQ(json::parse(read_file(folder / "here.json")).at("rows").size(), isas_here().size());
     for (const Isa isa : isas_here()) EXPECT_NE(run.out.find(name_of(isa)), std::string::npos);
     for (const std::string& job : jobs_of_one_cascade) EXPECT_NE(run.out.find(job), std::string::npos) << job;
-    for (const tools::MachineFrames& stored : tools::stored_frames())
-        EXPECT_NE(run.out.find(stored.machine.substr(0, 39)), std::string::npos) << stored.machine;
     EXPECT_EQ(run.out.find("several threads"), std::string::npos);
     std::istringstream lines(run.out);
     std::string line;
@@ -93,7 +90,8 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
 // A frame of 256 with its spectrum has 4 MB. Beyond a first-level cache, each job moves its inputs
 // and outputs at least once.
 TEST(BenchCommand, PrintsCopySpeedsAndTheBytesOfFramesAtEachLevel) {
-    const Outcome run = bench({"--bytes", "--sizes", "64,256", "--json", "-"});
+    const std::string counts = in_sources("bench/bytes.json");
+    const Outcome run = bench({"--bytes", counts, "--sizes", "64,256", "--json", "-"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const json all = json::parse(run.out), levels = all.at("memory_levels");
     ASSERT_GE(levels.size(), 2u);
@@ -122,14 +120,16 @@ TEST(BenchCommand, PrintsCopySpeedsAndTheBytesOfFramesAtEachLevel) {
         }
     }
 
-    const Outcome table = bench({"--bytes", "--sizes", "32,64"});
+    const Outcome table = bench({"--bytes", counts, "--sizes", "32,64"});
     EXPECT_NE(table.out.find("copy, GB/s"), std::string::npos);
     EXPECT_NE(table.out.find("not counted for this sea"), std::string::npos) << "N = 32 has no count";
     std::istringstream lines(table.out);
     std::string line;
     std::getline(lines, line);  // the name of the processor has any length
     while (std::getline(lines, line)) EXPECT_LE(line.size(), 100u) << line;
-    EXPECT_EQ(bench({"--bytes", "--headset"}).exit_code, 2);
+    EXPECT_EQ(bench({"--bytes", counts, "--headset"}).exit_code, 2);
+    const std::string other = in_sources("bench/budgets.json");
+    EXPECT_NE(bench({"--bytes", other}).err.find("expected a file of counts as bench/bytes.json"), std::string::npos);
 }
 
 TEST(BenchCommand, JobsOfSeveralCascadesAreSummed) {
@@ -279,21 +279,6 @@ TEST(StageWork, JobNamesDropTheCascade) {
     EXPECT_EQ(tools::job_of("evolve+rows c1"), "evolve+rows");
     EXPECT_EQ(tools::job_of("velocity columns"), "velocity columns");
     EXPECT_EQ(tools::job_of("c1"), "c1");
-}
-
-// The stored results of the project are compiled into the program and can be read.
-TEST(StoredResults, AreCompiledIn) {
-    EXPECT_FALSE(tools::stored_frames().empty());
-    for (const tools::MachineFrames& frames : tools::stored_frames()) {
-        EXPECT_TRUE(isa_named(frames.isa)) << frames.machine;
-        EXPECT_FALSE(frames.ms.empty()) << frames.machine;
-        for (const auto& [resolution, ms] : frames.ms) EXPECT_GT(ms, 0) << frames.machine << resolution;
-    }
-    for (const char* job : {"evolve+rows", "columns+finalize", "gradients+mipmaps", "mipmaps tail", "frame"})
-        for (const Isa isa : {Isa::sse4_2, Isa::avx2})
-            EXPECT_GT(tools::stored_instructions("1x256", job, isa).value_or(0), 0) << job << name_of(isa);
-    EXPECT_FALSE(tools::stored_instructions("1x256", "no such job", Isa::avx2));
-    EXPECT_FALSE(tools::stored_instructions_compiler().empty());
 }
 
 }  // namespace

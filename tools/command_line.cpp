@@ -40,7 +40,7 @@ constexpr CommandEntry command_table[] = {
     {"render", "Render images or a film of a sea offscreen", make_render_command, "PELAGIC_GL"},
     {"view", "Show a sea in a window, with controls", make_view_command, "PELAGIC_GL"},
     {"quadtree", "Select the mesh patches of a view; print statistics, write meshes", make_quadtree_command},
-    {"bench", "Measure frame times, beside stored results", make_bench_command}};
+    {"bench", "Measure frame times", make_bench_command}};
 
 constexpr const char* examples = R"(Examples:
   pelagic info storm                           heights, periods and wavelengths of a preset

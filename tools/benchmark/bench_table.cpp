@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/benchmark/machine.hpp"
-#include "pelagic/tools/benchmark/stored_results.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -63,16 +60,10 @@ std::string cells(const std::string& ms, const std::string& instructions, const 
     return "|" + right_aligned(ms, 8) + right_aligned(instructions, 8) + right_aligned(gb_per_s, 7);
 }
 
-/// Returns the instructions counted on this machine, or stored ones with an asterisk.
-std::string instructions_text(const FrameTiming& frame, const std::string& job, std::optional<double> counted) {
-    if (counted) return one_decimal(*counted);
-    const std::optional<double> stored = stored_instructions(frame.sea(), job, frame.isa);
-    return stored ? one_decimal(*stored) + "*" : "-";
-}
+std::string instructions_text(std::optional<double> counted) { return counted ? one_decimal(*counted) : "-"; }
 
-/// Prints a sea's jobs and its frame, with a column for each instruction set. Returns true if it
-/// printed stored instructions.
-bool print_sea(const std::vector<const FrameTiming*>& frames) {
+/// Prints a sea's jobs and its frame, with a column for each instruction set.
+void print_sea(const std::vector<const FrameTiming*>& frames) {
     const std::vector<JobTiming>& jobs = frames.front()->jobs;
     std::vector<std::string> lines;
     for (const JobTiming& job : jobs)
@@ -81,19 +72,13 @@ bool print_sea(const std::vector<const FrameTiming*>& frames) {
     for (const FrameTiming* frame : frames) {
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             const JobTiming& job = frame->jobs[i];
-            lines[i] += cells(three_digits(job.ms.median), instructions_text(*frame, job.job, job.instructions),
-                              one_decimal(job.gb_per_s));
+            lines[i] +=
+                cells(three_digits(job.ms.median), instructions_text(job.instructions), one_decimal(job.gb_per_s));
         }
-        lines.back() +=
-            cells(three_digits(frame->ms.median), instructions_text(*frame, frame->frame_job(), frame->instructions),
-                  one_decimal(frame->gb_per_s));
+        lines.back() += cells(three_digits(frame->ms.median), instructions_text(frame->instructions),
+                              one_decimal(frame->gb_per_s));
     }
-    bool has_stored = false;
-    for (const std::string& line : lines) {
-        print_line(line);
-        has_stored |= line.find('*') != std::string::npos;
-    }
-    return has_stored;
+    for (const std::string& line : lines) print_line(line);
 }
 
 void print_jobs(const Timings& timings) {
@@ -106,12 +91,9 @@ void print_jobs(const Timings& timings) {
     print_line("");
     print_line(title);
     print_line(heading);
-    bool has_stored = false;
-    for (const std::string& sea : seas) has_stored |= print_sea(on_one_thread(timings, sea));
+    for (const std::string& sea : seas) print_sea(on_one_thread(timings, sea));
     print_line("sea: cascades x N, several are the default sea; instr.: per texel; GB/s: inputs and outputs once");
     if (!timings.no_counter.empty()) print_line("Instructions are not counted: " + timings.no_counter + ".");
-    if (has_stored)
-        print_line("* Stored count, by valgrind or qemu with a build by " + stored_instructions_compiler() + ".");
 }
 
 void print_threads(const Timings& timings) {
@@ -139,32 +121,6 @@ void print_threads(const Timings& timings) {
     }
 }
 
-void print_machine(const std::string& machine, const std::string& isa, const std::map<int, double>& ms,
-                   const std::set<int>& sizes) {
-    std::string line = left_aligned(machine.substr(0, 39), 40) + left_aligned(isa, 8);
-    for (const int n : sizes) line += right_aligned(ms.contains(n) ? three_digits(ms.at(n)) : "-", 9);
-    print_line(line);
-}
-
-void print_machines(const Timings& timings) {
-    std::set<int> sizes;
-    std::map<Isa, MachineFrames> here;
-    for (const FrameTiming& frame : timings.frames) {
-        if (frame.cascades != 1 || frame.threads != 1) continue;
-        sizes.insert(frame.resolution);
-        here[frame.isa].ms[frame.resolution] = frame.ms.median;
-    }
-    print_line("");
-    std::string heading = left_aligned("Comparison of machines: ms per frame, N =", 48);
-    for (const int n : sizes) heading += right_aligned(number_text(n), 9);
-    print_line(heading);
-    for (const auto& [isa, frames] : here) print_machine("this machine", std::string(name_of(isa)), frames.ms, sizes);
-    for (const MachineFrames& stored : stored_frames()) {
-        print_machine(stored.machine, stored.isa, stored.ms, sizes);
-        if (!stored.fftw_ms.empty()) print_machine("  equal frame with FFTW", "", stored.fftw_ms, sizes);
-    }
-}
-
 /// Returns the larger distance of a quartile to the median, divided by the median.
 double spread_of(const Quartiles& ms) { return std::max(ms.high - ms.median, ms.median - ms.low) / ms.median; }
 
@@ -178,6 +134,20 @@ void print_spread(const Timings& timings) {
                 100 * spreads.back(), typical > spread_of_a_busy_machine ? ": the machine may be busy" : "");
 }
 
+/// Refresh rates of standalone headsets' displays.
+constexpr int display_hz[] = {72, 90, 120};
+
+/// Returns the percentage of a display's frame.
+double percent_of_frame(double ms, int hz) { return 100 * ms * hz / 1000; }
+
+void print_headset_row(const FrameTiming& frame) {
+    std::printf("%-6s%8d%9.3f%9.3f to %-7.3f|", frame.sea().c_str(), frame.threads, frame.ms.median, frame.ms.low,
+                frame.ms.high);
+    for (const int hz : display_hz) std::printf("%7.2f %%", percent_of_frame(frame.ms.median, hz));
+    std::printf(" |%7.2f%9.3f\n", static_cast<double>(frame.memory_bytes) / 1e6,
+                static_cast<double>(frame.upload_bytes) / 1e6);
+}
+
 }  // namespace
 
 void print_timings(const Timings& timings) {
@@ -185,7 +155,29 @@ void print_timings(const Timings& timings) {
     print_spread(timings);
     print_jobs(timings);
     print_threads(timings);
-    print_machines(timings);
+}
+
+std::vector<SeaState> headset_seas() {
+    return {{.resolution = 128, .patch_size_m = 250},
+            {.resolution = 256, .patch_size_m = 250},
+            {.cascades = 3, .resolution = 64},
+            {.cascades = 3, .resolution = 128},
+            {.cascades = 4, .resolution = 128}};
+}
+
+void print_headset_timings(const Timings& timings) {
+    std::printf("%s, %s, %s, pelagic " PELAGIC_VERSION "\n\n", cpu_name().c_str(), compiler_name().c_str(),
+                std::string(name_of(timings.frames.front().isa)).c_str());
+    std::printf("%-6s%8s%9s%20s|", "", "", "ms", "ms,");
+    for (const int hz : display_hz) std::printf("%6d Hz", hz);
+    std::printf(" |%7s%9s\n", "memory", "uploaded");
+    std::printf("%-6s%8s%9s%20s|", "sea", "threads", "median", "quartiles");
+    for (const int hz : display_hz) std::printf("%6.1f ms", 1000.0 / hz);
+    std::printf(" |%7s%9s\n", "MB", "MB");
+    for (const FrameTiming& frame : timings.frames) print_headset_row(frame);
+    std::printf(
+        "\nsea: cascades x N; Hz: percentage of a display's frame; uploaded: textures of each frame, all levels\n");
+    std::printf("docs/integrations/vr.md lists modelled times of a headset's cores.\n");
 }
 
 }  // namespace pelagic::tools

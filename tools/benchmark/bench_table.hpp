@@ -1,12 +1,26 @@
-// The tables of `pelagic bench`.
+// The tables of `pelagic bench` and of its option --headset. docs/integrations/vr.md lists modelled times
+// of a headset's cores.
 #pragma once
 
+#include <vector>
+
+#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/tools/benchmark/frame_timing.hpp"
 
 namespace pelagic::tools {
 
 /// Prints tables of at most 100 columns: jobs and frames on one thread with each instruction set,
-/// frames on several threads, and a comparison with stored results of other machines.
+/// and frames on several threads.
 void print_timings(const Timings& timings);
+
+/// Maximum number of threads. Further cores of a headset are slow or used by the renderer.
+inline constexpr int max_headset_threads = 3;
+
+/// Returns the seas: 1x128, 1x256, 3x64, 3x128 and 4x128 (cascades x N).
+std::vector<SeaState> headset_seas();
+
+/// Prints a table of at most 100 columns with a row for each sea and number of threads:
+/// milliseconds, percentage of a headset's frame, memory, and bytes to upload.
+void print_headset_timings(const Timings& timings);
 
 }  // namespace pelagic::tools

@@ -51,8 +51,6 @@ struct FrameTiming {
     std::size_t upload_bytes;            ///< size of a frame's textures with all levels
 
     std::string sea() const { return sea_name(cascades, resolution); }
-    /// Returns the name of the whole frame among stored counts (stored_instructions()).
-    std::string frame_job() const { return planes ? "frame" : "textures only"; }
 };
 
 struct Timings {

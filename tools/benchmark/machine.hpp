@@ -16,6 +16,12 @@ std::string cpu_name();
 std::vector<std::size_t> cache_sizes();
 
 /// Returns the name of the compiler of this program.
-std::string compiler_name();
+inline std::string compiler_name() {
+#if defined(__clang__)
+    return "clang++ " __clang_version__;
+#else
+    return "g++ " __VERSION__;
+#endif
+}
 
 }  // namespace pelagic::tools

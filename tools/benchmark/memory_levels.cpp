@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/benchmark/machine.hpp"
-#include "pelagic/tools/benchmark/stored_results.hpp"
+#include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -72,19 +74,41 @@ std::vector<MemoryLevel> measure_memory_levels() {
     return levels;
 }
 
-std::vector<MovedBytes> moved_bytes(const FrameTiming& frame, const std::vector<MemoryLevel>& levels) {
+std::vector<CountedBytes> read_counted_bytes(const std::string& option, const std::string& file) {
+    constexpr const char* accepted = "a file of counts as bench/bytes.json";
+    constexpr std::size_t max_bytes = bytes_a_mib;
+    const std::string text = InputFile(option, file, accepted).read_all(max_bytes);
+    std::vector<CountedBytes> counts;
+    try {
+        for (const auto& row : nlohmann::json::parse(text).at("bytes_a_texel"))
+            counts.push_back({row.at("sea"), row.at("cache_bytes"),
+                              row.at("read").get<double>() + row.at("for_writing").get<double>() +
+                                  row.at("written").get<double>()});
+    } catch (const nlohmann::json::exception&) {
+        throw bad_value(option, file, accepted);
+    }
+    return counts;
+}
+
+std::vector<MovedBytes> moved_bytes(const FrameTiming& frame, const std::vector<MemoryLevel>& levels,
+                                    const std::vector<CountedBytes>& counts) {
     std::vector<MovedBytes> moved;
     const double texels = static_cast<double>(frame.cascades) * frame.resolution * frame.resolution;
     for (std::size_t i = 1; i < levels.size(); ++i) {
-        const std::optional<double> counted = stored_bytes(frame.sea(), levels[i - 1].bytes);
+        const CountedBytes* counted = nullptr;
+        for (const CountedBytes& one : counts)
+            if (one.sea == frame.sea() && one.cache_bytes <= levels[i - 1].bytes &&
+                (!counted || one.cache_bytes >= counted->cache_bytes))
+                counted = &one;
         if (!counted) return {};
-        const double bytes = *counted * texels, ms = bytes / (levels[i].copy_gb_per_s * 1e6);
+        const double bytes = counted->bytes_a_texel * texels, ms = bytes / (levels[i].copy_gb_per_s * 1e6);
         moved.push_back({&levels[i], bytes, ms, ms / frame.ms.median});
     }
     return moved;
 }
 
-void print_moved_bytes(const Timings& timings, const std::vector<MemoryLevel>& levels) {
+void print_moved_bytes(const Timings& timings, const std::vector<MemoryLevel>& levels,
+                       const std::vector<CountedBytes>& counts) {
     std::printf("%s, %s, pelagic " PELAGIC_VERSION "\n\n%-8s%10s%12s\n", cpu_name().c_str(), compiler_name().c_str(),
                 "level", "size", "copy, GB/s");
     for (const MemoryLevel& level : levels)
@@ -95,7 +119,7 @@ void print_moved_bytes(const Timings& timings, const std::vector<MemoryLevel>& l
     std::printf(" | longest\n");
     for (const FrameTiming& frame : timings.frames) {
         std::printf("%-8s%9.4f", frame.sea().c_str(), frame.ms.median);
-        const std::vector<MovedBytes> moved = moved_bytes(frame, levels);
+        const std::vector<MovedBytes> moved = moved_bytes(frame, levels, counts);
         for (const MovedBytes& of_level : moved) std::printf(" |%11.3f%8.4f", of_level.bytes / 1e6, of_level.ms);
         if (const MovedBytes* slowest = slowest_of(moved))
             std::printf(" | %s, %.0f %%\n", slowest->level->name.c_str(), 100 * slowest->share);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,12 +31,24 @@ struct MovedBytes {
     double share;  ///< fraction of the measured time of a frame
 };
 
-/// Returns the bytes of a frame for each level except the first, from stored counts for a cache as
-/// large as the preceding level, or for the next smaller one. Empty if the sea has not been
-/// counted.
-std::vector<MovedBytes> moved_bytes(const FrameTiming& frame, const std::vector<MemoryLevel>& levels);
+/// Bytes per texel that a frame of a sea moves beyond a cache of a size.
+struct CountedBytes {
+    std::string sea;  ///< such as "1x256" or "4x128"
+    std::size_t cache_bytes;
+    double bytes_a_texel;
+};
+
+/// Reads counts by bench/instructions/instructions.py. Throws InputError.
+/// \param option  option that named the file
+std::vector<CountedBytes> read_counted_bytes(const std::string& option, const std::string& file);
+
+/// Returns the bytes of a frame for each level except the first, from counts for a cache as large
+/// as the preceding level, or for the next smaller one. Empty if the sea has not been counted.
+std::vector<MovedBytes> moved_bytes(const FrameTiming& frame, const std::vector<MemoryLevel>& levels,
+                                    const std::vector<CountedBytes>& counts);
 
 /// Prints the levels, and for each sea the bytes and the level that takes longest.
-void print_moved_bytes(const Timings& timings, const std::vector<MemoryLevel>& levels);
+void print_moved_bytes(const Timings& timings, const std::vector<MemoryLevel>& levels,
+                       const std::vector<CountedBytes>& counts);
 
 }  // namespace pelagic::tools

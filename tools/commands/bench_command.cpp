@@ -1,4 +1,4 @@
-// `pelagic bench`: frame times on this machine, beside stored results.
+// `pelagic bench`: frame times on this machine.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -13,10 +13,8 @@
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/tools/benchmark/bench_table.hpp"
 #include "pelagic/tools/benchmark/frame_timing.hpp"
-#include "pelagic/tools/benchmark/headset_table.hpp"
 #include "pelagic/tools/benchmark/machine.hpp"
 #include "pelagic/tools/benchmark/memory_levels.hpp"
-#include "pelagic/tools/benchmark/stored_results.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
@@ -44,14 +42,6 @@ std::vector<int> sizes_from(const std::string& text) {
     return sizes;
 }
 
-void add_instructions(Json& json, const FrameTiming& frame, const std::string& job,
-                      const std::optional<double>& counted) {
-    const std::optional<double> stored = stored_instructions(frame.sea(), job, frame.isa);
-    if (!counted && !stored) return;
-    json["instructions_per_texel"] = counted ? *counted : *stored;
-    json["instructions_counted"] = counted ? "here" : "by the project";
-}
-
 /// Returns an object with the keys of bench/results, and additional keys.
 Json frame_timing_as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
     Json json = {{"cascades", frame.cascades},
@@ -66,14 +56,14 @@ Json frame_timing_as_json(const FrameTiming& frame, const FrameTiming& on_one_th
                  {"memory_bytes", frame.memory_bytes},
                  {"upload_bytes", frame.upload_bytes}};
     if (frame.threads > 1) return json;
-    add_instructions(json, frame, frame.frame_job(), frame.instructions);
+    if (frame.instructions) json["instructions_per_texel"] = *frame.instructions;
     json["jobs"] = Json::array();
     for (const JobTiming& job : frame.jobs) {
         Json row = {{"job", job.job},
                     {"ms", job.ms.median},
                     {"ms_quartiles", {job.ms.low, job.ms.high}},
                     {"gb_per_s", job.gb_per_s}};
-        add_instructions(row, frame, job.job, job.instructions);
+        if (job.instructions) row["instructions_per_texel"] = *job.instructions;
         json["jobs"].push_back(row);
     }
     return json;
@@ -93,7 +83,8 @@ Json timings_as_json(const Timings& timings) {
 }
 
 /// Returns the timings, with the memory levels and the bytes that each row's frame moves there.
-Json timings_as_json(const Timings& timings, const std::vector<MemoryLevel>& levels) {
+Json timings_as_json(const Timings& timings, const std::vector<MemoryLevel>& levels,
+                     const std::vector<CountedBytes>& counts) {
     Json json = timings_as_json(timings);
     json["memory_levels"] = Json::array();
     for (const MemoryLevel& level : levels)
@@ -101,7 +92,7 @@ Json timings_as_json(const Timings& timings, const std::vector<MemoryLevel>& lev
             {{"level", level.name}, {"bytes", level.bytes}, {"copy_gb_per_s", level.copy_gb_per_s}});
     for (std::size_t i = 0; i < timings.frames.size(); ++i) {
         json["rows"][i]["moved"] = Json::array();
-        for (const MovedBytes& moved : moved_bytes(timings.frames[i], levels))
+        for (const MovedBytes& moved : moved_bytes(timings.frames[i], levels, counts))
             json["rows"][i]["moved"].push_back(
                 {{"level", moved.level->name}, {"bytes", moved.bytes}, {"ms", moved.ms}, {"share", moved.share}});
     }
@@ -117,8 +108,8 @@ class BenchCommand final : public Command {
    private:
     TimingPlan resolve() const;
 
-    std::optional<std::string> sizes_, seconds_, json_;
-    bool headset_ = false, bytes_ = false, textures_only_ = false;
+    std::optional<std::string> sizes_, seconds_, json_, bytes_;
+    bool headset_ = false, textures_only_ = false;
     ComputeFlags compute_;
 };
 
@@ -130,9 +121,10 @@ void BenchCommand::add_options(CLI::App& app) {
     app.add_option("--seconds", seconds_, std::string("measuring time; ") + seconds_range + " (default: 30)")
         ->type_name("SECONDS");
     app.add_flag("--headset", headset_, "measure seas for a headset on 1, 2 and 3 threads; excludes --sizes");
-    app.add_flag(
-        "--bytes", bytes_,
-        "measure the copy speed of each cache, beside the bytes that a frame moves there; excludes --headset");
+    app.add_option("--bytes", bytes_,
+                   "measure the copy speed of each cache, beside the bytes that a frame moves there by the counts of "
+                   "this file; excludes --headset")
+        ->type_name("FILE.json");
     app.add_flag("--textures-only", textures_only_,
                  "measure frames with textures and without displacement as floats; excludes --bytes");
     app.add_option("--json", json_, "write the statistics as JSON; -: print them instead of the tables")
@@ -172,6 +164,8 @@ void BenchCommand::run() {
     const TimingPlan plan = resolve();
     const bool prints_json = json_ == "-";
     const std::optional<OutputFile> file = prints_json ? std::nullopt : file_for("--json", json_);
+    const std::vector<CountedBytes> counts =
+        bytes_ ? read_counted_bytes("--bytes", *bytes_) : std::vector<CountedBytes>();
     std::vector<MemoryLevel> levels;
     Timings timings;
     {
@@ -186,14 +180,14 @@ void BenchCommand::run() {
     }
     if (prints_json || file) {
         const std::string text =
-            (bytes_ ? timings_as_json(timings, levels) : timings_as_json(timings)).dump(2) + "\n";
+            (bytes_ ? timings_as_json(timings, levels, counts) : timings_as_json(timings)).dump(2) + "\n";
         if (file) file->write(text);
         if (prints_json) {
             std::printf("%s", text.c_str());
             return;
         }
     }
-    if (bytes_) return print_moved_bytes(timings, levels);
+    if (bytes_) return print_moved_bytes(timings, levels, counts);
     headset_ ? print_headset_timings(timings) : print_timings(timings);
 }
 
