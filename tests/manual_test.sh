@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # The manual page and the bash completion of a build.
-# usage: manual_test.sh FOLDER PELAGIC   FOLDER holds pelagic.1 and the completion, pelagic
+# usage: manual_test.sh PAGE COMPLETION PELAGIC
 set -euo pipefail
-folder=$1 pelagic=$2
+page=$1 completion=$2 pelagic=$3
 
 # groff finds no error in the page, with all its warnings.
-warnings=$(groff -man -ww -z "$folder/pelagic.1" 2>&1)
+warnings=$(groff -man -ww -z "$page" 2>&1)
 [ -z "$warnings" ] || { echo "$warnings"; exit 1; }
 
 # The page has every option of every command.
-page=$(MANWIDTH=100 groff -man -Tascii -P-c -rHY=0 "$folder/pelagic.1" | sed 's/.\x08//g')
+page=$(MANWIDTH=100 groff -man -Tascii -P-c -rHY=0 "$page" | sed 's/.\x08//g')
 count=0
 for command in $("$pelagic" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
   grep -qF "pelagic $command [OPTIONS]" <<<"$page" || { echo "the page lacks $command"; exit 1; }
@@ -22,7 +22,7 @@ done
 
 # Completions: the words before the cursor, and what bash offers.
 # shellcheck source=/dev/null
-source "$folder/pelagic"
+source "$completion"
 cd "$(mktemp -d)"
 trap 'rm -r "$PWD"' EXIT
 mkdir waves
@@ -31,7 +31,7 @@ expect() {
   local expected=$1
   shift
   COMP_WORDS=(pelagic "$@") COMP_CWORD=$# COMPREPLY=()
-  _pelagic
+  _pelagic "$pelagic"
   [ "${COMPREPLY[*]}" = "$expected" ] || { echo "pelagic $*: expected $expected, offered ${COMPREPLY[*]}"; exit 1; }
 }
 expect 'export' ex

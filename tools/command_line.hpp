@@ -13,7 +13,7 @@ namespace pelagic::tools {
 /// invalid input, 128 + signal after a signal. Prints each error as one line on stderr.
 int run_command_line(int argc, const char* const* argv);
 
-/// Calls `take` with the parser: all commands and options, for manuals.
+/// Calls `take` with the parser: all commands and options.
 void describe_command_line(const std::function<void(const CLI::App&)>& take);
 
 }  // namespace pelagic::tools

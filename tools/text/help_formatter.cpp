@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <vector>
 
 namespace pelagic::tools {
 namespace {
@@ -42,19 +43,13 @@ std::string entry(const std::string& name, const std::string& description) {
     return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
 }
 
-}  // namespace
-
-std::vector<std::string> help_groups_of(const CLI::App& app) {
-    std::vector<std::string> used;
-    for (const char* const group : groups)
-        if (!options_in(app, group).empty()) used.emplace_back(group);
-    return used;
-}
-
-std::vector<const CLI::Option*> options_in(const CLI::App& app, const std::string& group) {
+/// Returns the visible options with a heading, except pure positionals.
+std::vector<const CLI::Option*> options_under(const CLI::App& app, const std::string& heading) {
     return app.get_options(
-        [&](const CLI::Option* option) { return option->get_group() == group && option->nonpositional(); });
+        [&](const CLI::Option* option) { return option->get_group() == heading && option->nonpositional(); });
 }
+
+}  // namespace
 
 HelpFormatter::HelpFormatter() {
     column_width(name_columns);
@@ -70,7 +65,8 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI:
             positionals += entry(option->get_name(true, false), option->get_description());
     if (!positionals.empty()) text += "\n" + positionals;
     text += make_subcommands(app, mode);
-    for (const std::string& group : help_groups_of(*app)) text += make_group(group, false, options_in(*app, group));
+    for (const char* const group : groups)
+        if (const auto options = options_under(*app, group); !options.empty()) text += make_group(group, false, options);
     const std::string footer = make_footer(app);
     return footer.empty() ? text : text + "\n" + footer;
 }

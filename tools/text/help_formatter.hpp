@@ -4,7 +4,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Formatter.hpp>
 #include <string>
-#include <vector>
 
 namespace pelagic::tools {
 
@@ -17,12 +16,6 @@ inline constexpr const char *output = "Output", *input = "Input", *frames = "Fra
                             *performance = "Performance (results are bit-identical for all values)",
                             *other = "Other options";
 }  // namespace help_group
-
-/// Returns the headings of an application's options in the order of help_group.
-std::vector<std::string> help_groups_of(const CLI::App& app);
-
-/// Returns the visible options with a heading, except pure positionals.
-std::vector<const CLI::Option*> options_in(const CLI::App& app, const std::string& group);
 
 /// Prints options under their headings. A line has at most 100 columns.
 class HelpFormatter final : public CLI::Formatter {
