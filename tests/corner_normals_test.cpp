@@ -1,5 +1,5 @@
 // Normals for drawing hulls, against closed forms.
-#include "pelagic/tools/meshes/corner_normals.hpp"
+#include "pelagic/tools/meshes/hull_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
 #include "pelagic/tests/sweep.hpp"
 #include "pelagic/tests/test_paths.hpp"
 #include "pelagic/tools/export/export_options.hpp"
-#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/export/shard.hpp"
 #include "pelagic/tools/files/descriptor.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/record/record_file.hpp"

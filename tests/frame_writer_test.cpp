@@ -17,7 +17,6 @@
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/digest.hpp"
-#include "pelagic/tools/record/frame_copy.hpp"
 
 namespace pelagic::tools {
 namespace {

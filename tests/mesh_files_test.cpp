@@ -14,9 +14,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tools/meshes/gltf_file.hpp"
-#include "pelagic/tools/meshes/mdd_file.hpp"
-#include "pelagic/tools/meshes/obj_file.hpp"
-#include "pelagic/tools/meshes/ply_file.hpp"
+#include "pelagic/tools/meshes/mesh.hpp"
 #include "pelagic/tools/meshes/sea_mesh.hpp"
 
 namespace pelagic::tools {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pelagic/tools/options/sea_scales.hpp"
-#include "pelagic/tools/text/wind_text.hpp"
+#include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/tools/encode/dds_file.hpp"
-#include "pelagic/tools/encode/ktx2_file.hpp"
+#include "pelagic/tools/encode/texture.hpp"
 #include "pelagic/tools/files/byte_order.hpp"
 #include "pelagic/tools/files/zstd.hpp"
 #include "pelagic/tools/text/errors.hpp"

@@ -20,7 +20,7 @@
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/gerstner_input.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/query/foam_sampler.hpp"
+#include "pelagic/sim/cascade_sum.hpp"
 #include "pelagic/sim/ripple_input.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/simd/constants.hpp"

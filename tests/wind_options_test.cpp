@@ -10,7 +10,6 @@
 
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tools/text/option_text.hpp"
-#include "pelagic/tools/text/wind_text.hpp"
 
 namespace pelagic {
 namespace {

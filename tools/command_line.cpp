@@ -17,8 +17,8 @@
 #include "pelagic/tools/encode/codec_library.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
-#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
 
 namespace pelagic::tools {

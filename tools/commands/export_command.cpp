@@ -18,7 +18,7 @@
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/export_preview.hpp"
 #include "pelagic/tools/export/export_summary.hpp"
-#include "pelagic/tools/export/exported_frame.hpp"
+#include "pelagic/tools/export/mesh_files.hpp"
 #include "pelagic/tools/export/sequence_output.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
@@ -27,7 +27,6 @@
 #include "pelagic/tools/record/folder_lock.hpp"
 #include "pelagic/tools/record/frame_writer.hpp"
 #include "pelagic/tools/text/errors.hpp"
-#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
 

@@ -1,7 +1,9 @@
 // `pelagic info`: prints sea-state statistics, or measures an export.
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <future>
@@ -13,12 +15,12 @@
 #include <utility>
 #include <vector>
 
+#include "pelagic/jobs/executor.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/benchmark/stage_work.hpp"
 #include "pelagic/tools/commands/command.hpp"
-#include "pelagic/tools/commands/idle_ocean.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
@@ -32,6 +34,58 @@
 
 namespace pelagic::tools {
 namespace {
+
+/// Executor that runs no job.
+class IdleExecutor final : public Executor {
+   public:
+    /// \param planned  the executor whose name and number of threads are reported
+    explicit IdleExecutor(std::shared_ptr<Executor> planned) : planned_(std::move(planned)) {}
+
+    std::unique_ptr<GraphRun> prepare(const JobGraph&) override { return std::make_unique<IdleRun>(); }
+    int thread_limit() const override { return planned_->thread_limit(); }
+    std::string_view name() const override { return planned_->name(); }
+
+   private:
+    struct IdleRun final : GraphRun {
+        void schedule() override {}
+        void complete() override {}
+        bool is_done() const override { return true; }
+    };
+    std::shared_ptr<Executor> planned_;
+};
+
+/// An ocean without waves. It has 99 % of the memory of an ocean with waves: the size of statistics
+/// by frequency depends on the waves. Its frames must not be computed.
+class IdleOcean {
+   public:
+    /// \param planned  the executor whose name and number of threads the ocean reports
+    /// \throws  as Ocean's constructor
+    IdleOcean(const Forecast& forecast, std::shared_ptr<Executor> planned, std::optional<Isa> isa) {
+        const auto release = [](void*, void*, std::size_t, std::size_t) {};
+        ocean_.emplace(forecast, OceanOptions{.executor = std::make_shared<IdleExecutor>(std::move(planned)),
+                                              .isa = isa,
+                                              .memory = {this, allocate, release}});
+    }
+
+    const Ocean& ocean() const { return *ocean_; }
+
+   private:
+    struct alignas(64) Line {
+        std::byte bytes[64];
+    };
+    static void* allocate(void* user, std::size_t bytes, std::size_t /*alignment*/) {
+        const std::size_t lines = (bytes + sizeof(Line) - 1) / sizeof(Line);
+        std::vector<std::vector<Line>>& blocks = static_cast<IdleOcean*>(user)->blocks_;
+        const auto found =
+            std::find_if(blocks.begin(), blocks.end(), [&](const auto& block) { return block.size() >= lines; });
+        return found != blocks.end() ? found->data() : blocks.emplace_back(lines).data();
+    }
+
+    /// Memory of all buffers, which overlap: their contents have no effect. Pages of separate
+    /// buffers would take most of the time of construction.
+    std::vector<std::vector<Line>> blocks_;
+    std::optional<Ocean> ocean_;
+};
 
 /// Starts computing a report on another thread if --threads allows one, beside the construction of
 /// the ocean, which takes about as long.

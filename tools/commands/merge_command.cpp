@@ -15,16 +15,15 @@
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/export_summary.hpp"
-#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/export/shard.hpp"
 #include "pelagic/tools/measure/export_reader.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/record/export_from_record.hpp"
 #include "pelagic/tools/record/file_check.hpp"
 #include "pelagic/tools/record/folder_lock.hpp"
-#include "pelagic/tools/record/frames_of_record.hpp"
+#include "pelagic/tools/record/record_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
-#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {

@@ -18,9 +18,8 @@
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/meshes/gltf_file.hpp"
-#include "pelagic/tools/meshes/obj_file.hpp"
-#include "pelagic/tools/meshes/ply_file.hpp"
-#include "pelagic/tools/meshes/quadtree_files.hpp"
+#include "pelagic/tools/meshes/mesh.hpp"
+#include "pelagic/tools/meshes/sea_mesh.hpp"
 #include "pelagic/tools/options/camera_options.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
@@ -91,18 +90,6 @@ void print_quadtree_table(const Json& json) {
                     level.at("patches").dump().c_str());
 }
 
-/// The options for the size and the quality of the quadtree grid.
-class QuadtreeFlags {
-   public:
-    /// \param size_option  name of the option for the grid's side
-    void add_to(CLI::App& app, const std::string& size_option);
-    QuadtreeOptions resolve() const;  ///< throws InputError
-
-   private:
-    std::string size_option_;
-    std::optional<std::string> size_, quality_;
-};
-
 class QuadtreeCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
@@ -110,25 +97,16 @@ class QuadtreeCommand final : public Command {
     void run() override;
 
    private:
+    QuadtreeOptions quadtree() const;  ///< throws InputError
+
     SeaOptions sea_;
     ComputeFlags compute_;
     CameraFlags camera_;
-    QuadtreeFlags quadtree_;
-    std::optional<std::string> time_, stereo_, obj_, ply_, gltf_, json_, svg_;
+    std::optional<std::string> size_, quality_, time_, stereo_, obj_, ply_, gltf_, json_, svg_;
     bool all_ = false, foam_ = false;
 };
 
-void QuadtreeFlags::add_to(CLI::App& app, const std::string& size_option) {
-    size_option_ = size_option;
-    app.add_option(size_option, size_, "side of the square of sea; [256, 8192] (default: 2048)")
-        ->type_name("METRES")
-        ->group(help_group::view);
-    app.add_option("--quality", quality_, "level of detail; or the paper's, as paper_high (default: high)")
-        ->type_name("low|medium|high|ultra")
-        ->group(help_group::view);
-}
-
-QuadtreeOptions QuadtreeFlags::resolve() const {
+QuadtreeOptions QuadtreeCommand::quadtree() const {
     const std::string name = quality_.value_or("high");
     const QuadtreePreset* preset = quadtree_preset_named(name);
     if (preset == nullptr) {
@@ -136,14 +114,15 @@ QuadtreeOptions QuadtreeFlags::resolve() const {
         for (const QuadtreePreset& known : quadtree_presets()) names.emplace_back(known.name);
         throw unknown_name("--quality", name, names);
     }
-    const double size_m = size_ ? number_in(size_option_, *size_, 256, 8192, "[256, 8192]") : 2048;
-    return preset->options(size_m);
+    return preset->options(size_ ? number_in("--size", *size_, 256, 8192, "[256, 8192]") : 2048);
 }
 
 void QuadtreeCommand::add_options(CLI::App& app) {
-    quadtree_.add_to(app, "--size");
-    camera_.add_to(app);
     app.option_defaults()->group(help_group::view);
+    app.add_option("--size", size_, "side of the square of sea; [256, 8192] (default: 2048)")->type_name("METRES");
+    app.add_option("--quality", quality_, "level of detail; or the paper's, as paper_high (default: high)")
+        ->type_name("low|medium|high|ultra");
+    camera_.add_to(app);
     app.add_option("--stereo", stereo_, "distance between two eyes; (0, 1] (default: one view)")->type_name("METRES");
     app.add_option("--time", time_, "time of the frame; [-1e9, 1e9] (default: 0)")->type_name("SECONDS");
     app.add_flag("--all", all_, "select every patch, visible or not");
@@ -160,7 +139,7 @@ void QuadtreeCommand::add_options(CLI::App& app) {
 }
 
 void QuadtreeCommand::run() {
-    const QuadtreeOptions options = quadtree_.resolve();
+    const QuadtreeOptions options = quadtree();
     const Camera camera = camera_.resolve();
     const double apart_m = stereo_ ? number_in("--stereo", *stereo_, 0, 1, "(0, 1]") : 0;
     if (stereo_ && apart_m == 0) throw bad_value("--stereo", *stereo_, "(0, 1]");

@@ -23,7 +23,6 @@
 #include "pelagic/tools/files/input_file.hpp"
 #include "pelagic/tools/hulls/hull_options.hpp"
 #include "pelagic/tools/hulls/hull_player.hpp"
-#include "pelagic/tools/hulls/hull_table.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/options/floor_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
@@ -32,7 +31,6 @@
 #include "pelagic/tools/query/query_rows.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
-#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "pelagic/message/one_line.hpp"
 #include "pelagic/tools/commands/command.hpp"
-#include "pelagic/tools/encode/encode_image.hpp"
+#include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/scene_options.hpp"
 #include "pelagic/tools/text/errors.hpp"

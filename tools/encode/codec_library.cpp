@@ -13,10 +13,35 @@
 
 #include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/tools/encode/exr_codec.hpp"
+#include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {
+
+/// A library that exports a table of functions, whose first member is `const char* version`.
+struct CodecLibrary {
+    const char* file;   ///< without a folder
+    const char* use;    ///< completes "FILE, which ..." in messages
+    const char* table;  ///< name of the exported table
+    /// Threads and bytes of address space that the dependencies need during loading, measured on
+    /// Debian 12. If the system refuses them then, the process may crash or hang, so they are
+    /// requested first.
+    int threads;
+    std::size_t address_space;
+};
+
+constexpr CodecLibrary image_library = {.file = "pelagic_images.so",
+                                        .use = "writes and reads images",
+                                        .table = "pelagic_image_codec",
+                                        .threads = 4,
+                                        .address_space = std::size_t{448} << 20};
+constexpr CodecLibrary exr_library = {.file = "pelagic_exr.so",
+                                      .use = "writes EXR files",
+                                      .table = "pelagic_exr_codec",
+                                      .threads = 0,
+                                      .address_space = std::size_t{16} << 20};
 
 /// Returns a path relative to the tool, so that a build tree or an installed tree can be moved. No
 /// search path is used, which could find another library of that name.
@@ -53,10 +78,7 @@ std::string missing_resource(const CodecLibrary& library) {
     return {};
 }
 
-}  // namespace
-
-void keep_dependencies_single_threaded() { ::setenv("OPENBLAS_NUM_THREADS", "1", 0); }
-
+/// Loads the library and returns its table. Throws FileError that names the file.
 const void* load_table(const CodecLibrary& library) {
     const std::filesystem::path file = path_of(library);
     const auto reject = [&](const std::string& reason) {
@@ -73,5 +95,19 @@ const void* load_table(const CodecLibrary& library) {
         reject("it is of version " + std::string(version) + ", expected " PELAGIC_VERSION);
     return table;
 }
+
+}  // namespace
+
+const ImageCodec& image_codec() {
+    static const auto& codec = *static_cast<const ImageCodec*>(load_table(image_library));
+    return codec;
+}
+
+const ExrCodec& exr_codec() {
+    static const auto& codec = *static_cast<const ExrCodec*>(load_table(exr_library));
+    return codec;
+}
+
+void keep_dependencies_single_threaded() { ::setenv("OPENBLAS_NUM_THREADS", "1", 0); }
 
 }  // namespace pelagic::tools

@@ -1,4 +1,4 @@
-#include "pelagic/tools/encode/dds_file.hpp"
+#include "pelagic/tools/encode/texture.hpp"
 
 #include <array>
 #include <cassert>

@@ -1,12 +1,46 @@
 // Interface of the library pelagic_exr, which the tool loads on the first EXR file that an export
 // writes. OpenEXR loads in a fiftieth of the time of OpenImageIO.
+//
+//   file   one or several parts, each an image with its own name and attributes. Every reader
+//          supports files of one part
+//   part   one size, with one level or a mip chain down to one pixel
+//   layer  a group of channels: "displacement.R", "displacement.G", "displacement.B"
 #pragma once
 
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "pelagic/tools/encode/exr_file.hpp"
+#include "pelagic/tools/files/sample.hpp"
+#include "pelagic/tools/maps/map_image.hpp"
 
 namespace pelagic::tools {
+
+struct ExrLayer {
+    std::vector<std::string> channels;  ///< full names, in the order of the values of a pixel
+    Sample sample;                      ///< half or float32; EXR has no 8-bit samples
+    /// called once for each level, when the level is written
+    std::function<MapImage(int level)> image_of;
+};
+
+using ExrAttribute = std::pair<std::string, std::variant<std::string, int, double>>;
+
+struct ExrPart {
+    std::string name;  ///< may be empty in a file of one part
+    int side = 0;
+    int levels = 1;
+    std::vector<ExrLayer> layers;
+    std::vector<ExrAttribute> attributes;
+    double frames_per_second = 0;  ///< 0: unknown
+};
+
+struct ExrFile {
+    std::vector<ExrPart> parts;  ///< at least one
+    bool is_tiled = false;       ///< in tiles of 64 x 64 pixels; required for mip levels
+    Compression compression = Compression::zip;
+};
 
 /// Function table that the library exports as `pelagic_exr_codec`.
 struct ExrCodec {

@@ -1,22 +1,30 @@
 #include "pelagic/tools/encode/image_codec.hpp"
 
-#include "pelagic/tools/encode/codec_library.hpp"
-
 namespace pelagic::tools {
-namespace {
 
-// Threads and address space are measured on Debian 12.
-constexpr CodecLibrary image_library = {.file = "pelagic_images.so",
-                                        .use = "writes and reads images",
-                                        .table = "pelagic_image_codec",
-                                        .threads = 4,
-                                        .address_space = std::size_t{448} << 20};
+std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, int width, int height) {
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+    const ImageDescription image{.extension = "png",
+                                 .width = width,
+                                 .height = height,
+                                 .channels = 3,
+                                 .sample = Sample::uint8,
+                                 .colour_space = "sRGB",
+                                 .compression = nullptr};
+    return image_codec().encode(image, rgb.data());
+}
 
-}  // namespace
-
-const ImageCodec& image_codec() {
-    static const auto& codec = *static_cast<const ImageCodec*>(load_table(image_library));
-    return codec;
+std::vector<unsigned char> encode_light(std::span<const float> rgb, int width, int height) {
+    const ImageDescription image{.extension = "exr",
+                                 .width = width,
+                                 .height = height,
+                                 .channels = 3,
+                                 .sample = Sample::float32,
+                                 .colour_space = "Linear",
+                                 .compression = "zip"};
+    return image_codec().encode(image, rgb.data());
 }
 
 }  // namespace pelagic::tools

@@ -3,6 +3,7 @@
 // libraries; loading them would take most of the run time of other commands.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -43,5 +44,12 @@ struct ImageCodec {
 /// Returns the function table; the first call loads the library from its path relative to the tool.
 /// Thread-safe. Throws FileError that names the library file.
 const ImageCodec& image_codec();
+
+/// Encodes RGBA8 pixels, top row first, as an sRGB PNG without alpha.
+std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, int width, int height);
+
+/// Encodes linear radiance as an EXR file of 32-bit floats.
+/// \param rgb  top row first
+std::vector<unsigned char> encode_light(std::span<const float> rgb, int width, int height);
 
 }  // namespace pelagic::tools

@@ -1,4 +1,4 @@
-#include "pelagic/tools/encode/ktx2_file.hpp"
+#include "pelagic/tools/encode/texture.hpp"
 
 #include <algorithm>
 #include <array>

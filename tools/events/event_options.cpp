@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/tools/events/event_commands.hpp"
+#include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"

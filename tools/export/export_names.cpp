@@ -7,7 +7,7 @@
 #include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
-#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/export/shard.hpp"
 
 namespace pelagic::tools {
 namespace {

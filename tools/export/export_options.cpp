@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "pelagic/tools/export/export_names.hpp"
-#include "pelagic/tools/export/flipbook.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/sequence_output.hpp"
 #include "pelagic/tools/files/zstd.hpp"
@@ -202,7 +201,7 @@ void ExportFlags::add_to(CLI::App& app) {
     add("out,-o,DIR", "DIR", "folder, created if missing; or names: DIR/wave.####.exr");
     app.add_flag("--resume", resume_, "keep the complete frames of an interrupted export");
     app.add_flag("--overwrite", overwrite_, "replace a finished export in the folder");
-    app.add_flag("--preview", preview_, "write only preview.png: the maps of the first frame, and the size of the export");
+    app.add_flag("--preview", preview_, "write only preview.png, with the maps of the first frame");
     add("shard", "I/N", "export shard I of N; pelagic merge joins the shards");
     app.add_flag("--no-sync", no_sync_, "do not wait for the disk: a power failure may lose frames");
     app.add_flag("--no-lock", no_lock_, "do not lock the folder, for file systems without locks");

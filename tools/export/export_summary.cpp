@@ -6,7 +6,7 @@
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/message/one_line.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/tools/text/notes.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 

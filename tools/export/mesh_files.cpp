@@ -3,8 +3,7 @@
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/maps/axes.hpp"
 #include "pelagic/tools/meshes/gltf_file.hpp"
-#include "pelagic/tools/meshes/obj_file.hpp"
-#include "pelagic/tools/meshes/ply_file.hpp"
+#include "pelagic/tools/meshes/mesh.hpp"
 
 namespace pelagic::tools {
 
@@ -31,6 +30,25 @@ Bytes encode_mesh_file(MeshFormat format, const Mesh& mesh) {
     if (format == MeshFormat::gltf) return GlbFile(mesh).finish(1, false);
     const std::string text = mesh_as_obj(mesh, ObjDigits::of_floats);
     return {text.begin(), text.end()};
+}
+
+OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<ChromeTrace>& trace) {
+    return {.executor = make_default_executor(options.compute.threads),
+            .isa = options.compute.isa,
+            .trace = trace,
+            .velocities = options.maps.has(MapKind::velocity),
+            .gradients = options.maps.has(MapKind::gradient),
+            .foam = options.has_foam()};
+}
+
+std::unique_ptr<EventPlayer> event_player(const ExportOptions& options, const OceanOptions& how) {
+    return options.events ? std::make_unique<EventPlayer>(*options.events, how.executor, how.isa) : nullptr;
+}
+
+Frame exported_frame(const Frame& frame, EventPlayer* player) {
+    Frame exported = frame;
+    if (player) exported.dynamic_waves = player->at(frame.time_s);
+    return exported;
 }
 
 }  // namespace pelagic::tools

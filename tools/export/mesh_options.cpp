@@ -4,7 +4,7 @@
 
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/tools/meshes/gltf_file.hpp"
-#include "pelagic/tools/meshes/mdd_file.hpp"
+#include "pelagic/tools/meshes/mesh.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"

@@ -1,4 +1,7 @@
 // Outputs made of all frames together: flipbooks, animations of morph targets, and point caches.
+//
+// A flipbook has all frames of an export side by side in one image for each map and cascade, for
+// particle systems and shaders. flipbook.json describes the layout.
 #pragma once
 
 #include <memory>
@@ -30,5 +33,12 @@ std::vector<std::unique_ptr<SequenceOutput>> mesh_sequences(const ExportOptions&
 
 /// Returns the outputs that the options select.
 std::vector<std::unique_ptr<SequenceOutput>> sequence_outputs(const ExportOptions& options);
+
+/// Maximum texture size that graphics APIs support (Direct3D 11; usual limit of Vulkan).
+inline constexpr int largest_flipbook_side = 16384;
+
+/// Throws InputError, one line, if the frames do not fit into the grid or the images would be too
+/// large.
+void check_flipbook(const ExportOptions& options, const std::string& typed);
 
 }  // namespace pelagic::tools

@@ -1,7 +1,11 @@
 // Number types of pixel values.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
+
+#include "pelagic/message/enum_names.hpp"
 
 namespace pelagic::tools {
 
@@ -25,4 +29,23 @@ constexpr std::size_t bytes_of(Sample sample) {
 /// Returns true if a sample stores the value itself rather than a fraction of 255 or 65535.
 constexpr bool is_floating(Sample sample) { return sample == Sample::half || sample == Sample::float32; }
 
+enum class Compression {
+    zip,   ///< deflate; in an EXR file, blocks of 16 rows
+    zips,  ///< deflate of single rows; EXR only
+    piz,   ///< wavelets; EXR only
+    dwaa,  ///< cosine transform; EXR only, and the only lossy one
+    lzw,   ///< TIFF only
+    zstd,  ///< KTX2 only
+    none,
+};
+
 }  // namespace pelagic::tools
+// Names in options and in records.
+namespace pelagic {
+
+template <>
+struct EnumNames<tools::Compression> {
+    static constexpr std::array<std::string_view, 7> all = {"zip", "zips", "piz", "dwaa", "lzw", "zstd", "none"};
+};
+
+}  // namespace pelagic

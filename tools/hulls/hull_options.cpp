@@ -9,8 +9,8 @@
 #include "pelagic/tools/meshes/hull_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
-#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "pelagic/floating/floating_hulls.hpp"
@@ -60,5 +61,12 @@ class HullPlayer {
     HullState before_;                  ///< a step earlier
     std::unique_ptr<HullWake> wake_;
 };
+
+/// Returns "time,x,y,z,...", the names of hull_row()'s values.
+std::string hull_columns();
+
+/// Returns a row without its line break: metres, degrees, m/s and m^3, of nine digits.
+/// \param as_json  an object instead of values and commas
+std::string hull_row(double time_s, const HullMoment& moment, bool as_json);
 
 }  // namespace pelagic::tools

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "pelagic/tools/files/image_compression.hpp"
 #include "pelagic/tools/files/sample.hpp"
 #include "pelagic/tools/maps/axes.hpp"
 #include "pelagic/tools/maps/map_kind.hpp"

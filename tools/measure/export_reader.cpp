@@ -13,10 +13,10 @@
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/encode/exr_header.hpp"
 #include "pelagic/tools/encode/image_codec.hpp"
-#include "pelagic/tools/encode/ktx2_file.hpp"
+#include "pelagic/tools/encode/texture.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
-#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/export/shard.hpp"
 #include "pelagic/tools/record/export_record.hpp"
 #include "pelagic/tools/text/errors.hpp"
 

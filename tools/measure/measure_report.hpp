@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "pelagic/tools/record/sea_json.hpp"
 
@@ -19,5 +21,19 @@ std::string measurement_as_svg(const Json& measured);
 
 /// Prints a measurement as a table on stdout, without the spectra.
 void print_measurement(const Json& measured);
+
+struct PlottedPoint {
+    double at, found, model;
+};
+
+/// One diagram, labelled with quantities and units. Points with values of 0 or less are omitted.
+struct SpectrumPanel {
+    std::string title, at_label, density_label;
+    std::vector<PlottedPoint> points;
+};
+
+/// Returns an SVG image with the panels side by side below a title. The texts are not escaped: pass
+/// only trusted texts and numbers.
+std::string spectra_as_svg(const std::string& title, const std::vector<SpectrumPanel>& panels);
 
 }  // namespace pelagic::tools

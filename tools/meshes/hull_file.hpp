@@ -1,8 +1,10 @@
-// Hulls from mesh files: Wavefront OBJ, and glTF 2.0 as .gltf or .glb (Khronos, ISO/IEC 12113).
-// Metres; x forward, y up, z to starboard.
+// Hulls from mesh files: Wavefront OBJ, and glTF 2.0 as .gltf or .glb (Khronos, ISO/IEC 12113), and
+// their normals for drawing. Metres; x forward, y up, z to starboard.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,5 +37,11 @@ HullFile parse_gltf_hull(const std::filesystem::path& file, std::string_view byt
 /// \param option  that names the file, for messages
 /// \throws InputError  in one line, also for a mesh that HullMesh::check() rejects
 HullMesh read_hull(const std::string& option, const std::filesystem::path& file);
+
+/// Returns unit normals at the three corners of each triangle: the mean of the faces around the
+/// vertex, weighted by their angles there (Thuermer and Wuethrich 1998), without those that meet
+/// the triangle at more than the crease angle.
+/// \param crease_rad  [0, pi]; 0: flat faces
+std::vector<std::array<glm::dvec3, 3>> corner_normals(const HullMesh& mesh, double crease_rad);
 
 }  // namespace pelagic::tools

@@ -7,8 +7,8 @@
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
-#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -12,9 +12,8 @@
 #include "pelagic/tools/options/config_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
-#include "pelagic/tools/text/notes.hpp"
 #include "pelagic/tools/text/option_text.hpp"
-#include "pelagic/tools/text/wind_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -276,6 +275,14 @@ constexpr double max_time_s = 1e9;
 constexpr std::size_t max_changes = 1000;
 constexpr double max_swell_from_m = 2e7;
 
+constexpr std::array angle_fields = {
+    SeaAngle{"wind_direction_rad", "wind_direction_deg", &SeaState::wind_direction_rad,
+             &ResolvedSea::wind_direction_deg},
+    SeaAngle{"swell_direction_rad", "swell_direction_deg", &SeaState::swell_direction_rad,
+             &ResolvedSea::swell_direction_deg},
+    SeaAngle{"swell_spread_rad", "swell_spread_deg", &SeaState::swell_spread_rad, &ResolvedSea::swell_spread_deg},
+};
+
 }  // namespace
 
 std::string_view requirement_of(std::string_view field, const SeaState& sea) {
@@ -459,6 +466,14 @@ std::string peak_period_text(double period_s, double loop_period_s, int digits) 
     const std::string text = rounded_text(period_s, digits) + " s";
     return std::fabs(period_s / looped_s - 1) > 0.1 ? text + ", in this loop " + rounded_text(looped_s, digits) + " s"
                                                     : text;
+}
+
+std::span<const SeaAngle> sea_angles() { return angle_fields; }
+
+const SeaAngle* sea_angle(std::string_view field) {
+    const auto found = std::find_if(angle_fields.begin(), angle_fields.end(),
+                                    [&](const auto& angle) { return angle.field == field; });
+    return found == angle_fields.end() ? nullptr : found;
 }
 
 }  // namespace pelagic::tools

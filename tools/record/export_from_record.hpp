@@ -9,9 +9,11 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pelagic/tools/record/export_record.hpp"
+#include "pelagic/tools/record/sea_json.hpp"
 
 namespace pelagic::tools {
 
@@ -31,5 +33,17 @@ std::vector<std::string> words_of(const ExportOptions& options);
 /// options have them.
 /// \param record  record from which the command reads the sea
 std::string command_line_of(const ExportOptions& options, const std::filesystem::path& record);
+
+/// Returns "--start" for "start_s", a key under "export". Keys of a nested object are appended to
+/// the key of the object: "mesh_side_m" is --mesh-size.
+std::string flag_of(const std::string& key);
+
+/// Returns "--wind-speed" for "/sea/wind_speed_mps", a JSON pointer (RFC 6901) into
+/// options_as_json(). Returns --weather for a value in a change of the weather, and the key itself
+/// for a value that no option sets: "version".
+std::string flag_at(std::string_view pointer);
+
+/// Formats a value as on a command line; lists are separated by commas.
+std::string typed_value(const Json& value);
 
 }  // namespace pelagic::tools

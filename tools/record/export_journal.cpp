@@ -6,7 +6,7 @@
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/export/export_names.hpp"
-#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/export/shard.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/record/record_file.hpp"
 #include "pelagic/tools/text/errors.hpp"

@@ -8,7 +8,7 @@
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
 #include "pelagic/tools/files/digest.hpp"
-#include "pelagic/tools/record/option_flags.hpp"
+#include "pelagic/tools/record/export_from_record.hpp"
 
 namespace pelagic::tools {
 namespace {

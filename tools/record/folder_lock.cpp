@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/export/shard.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {

@@ -7,6 +7,8 @@
 #include <functional>
 #include <future>
 #include <map>
+#include <memory>
+#include <vector>
 
 #include "pelagic/jobs/trace.hpp"
 #include "pelagic/sim/frame.hpp"
@@ -88,6 +90,22 @@ class FrameWriter {
     TraceSink* trace_;
     WritingPlan plan_;
     std::deque<std::future<FrameRecord>> in_flight_;
+};
+
+/// Copies every view of a frame, so that files can be encoded while the ocean computes. Textures
+/// for drawing, which no file holds, are left out: displacement_rgba16f, slopes_rgba8 and
+/// moments_rgba8 are empty.
+class FrameCopy {
+   public:
+    explicit FrameCopy(const Frame& frame);
+    FrameCopy(const FrameCopy&) = delete;
+
+    const Frame& frame() const { return frame_; }
+
+   private:
+    Frame frame_;
+    std::vector<Cascade> cascades_;
+    std::vector<std::shared_ptr<const void>> memory_;  ///< of the views
 };
 
 }  // namespace pelagic::tools

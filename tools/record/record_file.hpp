@@ -2,6 +2,7 @@
 // are written and read one at a time, each on a line.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,5 +35,20 @@ struct RecordTaker {
 /// Reads a record. Returns false if there is no such file. Throws FileError, and DamagedRecord for
 /// a malformed record or one with too much data outside of frames.
 bool read_record(const OutputFolder& folder, const std::string& name, const RecordTaker& take);
+
+/// Range of indices in an export: [begin, end).
+struct Places {
+    std::size_t begin = 0, end = 0;
+};
+
+/// Reads the frames up to the first invalid one.
+/// \param head  checks the keys before the frames
+/// \param take  receives each frame and its index in the export
+/// \returns the error in the record, as text that follows the record's name; empty if the record is
+/// valid
+/// \throws FileError  if reading fails; also throws what `head` throws
+std::string read_frames(const OutputFolder& folder, const std::string& name, const ExportOptions& options,
+                        Places places, const std::function<void(const ReadJson& head)>& head,
+                        const std::function<void(std::size_t place, FrameRecord&& frame)>& take);
 
 }  // namespace pelagic::tools

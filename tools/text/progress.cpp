@@ -2,13 +2,19 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
-#include "pelagic/tools/text/notes.hpp"
+#include "pelagic/message/one_line.hpp"
 
 namespace pelagic::tools {
+namespace {
+
+std::atomic<bool> quiet_process = false;
+
+}  // namespace
 
 Progress::Progress(std::string item, std::size_t total, std::chrono::milliseconds delay)
     : item_(std::move(item)),
@@ -43,6 +49,13 @@ void Progress::show(const std::string& doing, double fraction) {
         std::fprintf(stderr, ", %.0f %%, %.0f s left", std::floor(100 * fraction), elapsed * (1 - fraction) / fraction);
     }
     std::fflush(stderr);
+}
+
+void set_quiet(bool quiet) { quiet_process = quiet; }
+bool is_quiet() { return quiet_process; }
+
+void print_note(const std::string& text) {
+    if (!is_quiet()) std::fprintf(stderr, "note: %s\n", escaped(text).c_str());
 }
 
 }  // namespace pelagic::tools

@@ -1,5 +1,4 @@
-// Progress display on a terminal. If stderr is not a terminal, or with --quiet, show() prints
-// nothing.
+// Notes and progress on standard error, which --quiet suppresses.
 #pragma once
 
 #include <chrono>
@@ -37,5 +36,13 @@ class Progress {
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_shown_ = start_ - std::chrono::hours(1);
 };
+
+/// Suppresses notes, progress and summaries for the rest of the process, or prints them again.
+void set_quiet(bool quiet);
+bool is_quiet();
+
+/// Prints "note: TEXT" on stderr, unless the command is quiet.
+/// \param text  one line without its line break
+void print_note(const std::string& text);
 
 }  // namespace pelagic::tools

@@ -91,7 +91,7 @@ def commands(events, ticks_per_s):
     """Returns (tick, adds, index of the event) in order. An event begins in the first tick that is
     not before it; a source ends in a command with adds = False."""
     def tick_at(time_s):
-        return math.ceil(time_s * ticks_per_s - 2 ** -16)  # event_commands.cpp
+        return math.ceil(time_s * ticks_per_s - 2 ** -16)  # event_player.cpp
 
     found = []
     for index, event in enumerate(events):
