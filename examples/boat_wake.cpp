@@ -18,9 +18,7 @@
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/meshes/boat.hpp"
 #include "pelagic/gl/render_target.hpp"
-#include "pelagic/gl/water/camera_water_plane.hpp"
-#include "pelagic/gl/water/sea_renderer.hpp"
-#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/sim/ocean.hpp"
 
 namespace {
@@ -113,40 +111,31 @@ void draw_voyage(const char* name) {
 
     gl::HeadlessContext context;
     const gl::Functions& functions = context.functions();
-    Selection selection(quadtree_preset_named("ultra")->options(2048));
-    gl::SeaRenderer renderer(functions, {.patch_vertices = selection.options().vertices,
-                                         .resolution = ocean.resolution(),
-                                         .cascades = ocean.cascade_count(),
-                                         .writes = gl::PixelKind::radiance,
-                                         .dynamic_waves = true});
+    gl::SeaPass pass(functions,
+                     {.resolution = ocean.resolution(),
+                      .cascades = ocean.cascade_count(),
+                      .writes = gl::PixelKind::radiance,
+                      .dynamic_waves = true},
+                     quadtree_preset_named("ultra")->options(2048));
     gl::SkyBaker baker(make_default_executor(), 256);
     baker.schedule({.sun_azimuth_rad = 0.35f, .sun_elevation_rad = 0.42f, .cloud_cover = 0.12f});
     const gl::Sky& sky = baker.complete();
-    renderer.set_sky(sky);
+    pass.renderer().set_sky(sky);
     gl::Boat model(functions);
     model.set_light(sky);
 
     const Camera camera{.position_m = {56, 9, 44}, .target_m = {78, 0, 10}, .vertical_view_rad = 0.85};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, width, height});
-    const DrawList& list =
-        selection.select({.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
     gl::RenderTarget target(functions, width, height, samples, gl::PixelKind::radiance);
-    target.bind();
-    functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    renderer.upload(frame);
-    // A software driver may read mip levels in the vertex shader that other threads still generate.
-    functions.Finish();
+    target.clear();
+    pass.upload(frame);
     const glm::dmat4 pose = boat_on(frame, course);
     const float exposure = gl::exposure_of_ev(13.4f, sky.luminance_of_unit());
     model.draw(eye, pose, exposure);
-    renderer.draw({.eyes = {&eye, 1},
-                   .viewer_m = camera.position_m,
-                   .list = &list,
-                   .lod_scale = selection.options().lod_scale,
-                   .exposure = exposure,
-                   .weighs_samples = true,
-                   .camera_water_plane = gl::camera_water_plane(SurfaceQuery(frame), camera.position_m),
-                   .application_scene = model.image(eye, pose)});
+    pass.draw({.eyes = {&eye, 1},
+               .exposure = exposure,
+               .weighs_samples = true,
+               .application_scene = model.image(eye, pose)});
     gl::Display display(functions);
     gl::RenderTarget screen(functions, width, height, 0);
     const gl::TexturePart radiance = target.resolved();

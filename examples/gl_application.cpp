@@ -8,8 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "pelagic/gl/water/sea_renderer.hpp"
-#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/sim/ocean.hpp"
 
 namespace {
@@ -72,31 +71,23 @@ int main() {
     using namespace pelagic;
     const gl::Functions functions =
         gl::load_functions([](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
-    Ocean ocean({.wind_speed_mps = 9}, {.foam = true});
-    Selection selection(quadtree_preset_named("medium")->options(2048));
-    gl::SeaRenderer renderer(functions, {.patch_vertices = selection.options().vertices,
-                                         .resolution = ocean.resolution(),
-                                         .cascades = ocean.cascade_count()});
+    Ocean ocean({.wind_speed_mps = 9}, {.queries = true, .foam = true});
+    gl::SeaPass pass(functions, {.resolution = ocean.resolution(), .cascades = ocean.cascade_count()},
+                     quadtree_preset_named("medium")->options(2048), gl::CausticsBaking::while_drawn);
     gl::SkyBaker baker(make_default_executor(), 128);
     baker.schedule({.sun_elevation_rad = 0.5f});
-    renderer.set_sky(baker.complete());
+    pass.renderer().set_sky(baker.complete());
 
-    ocean.schedule(0, renderer.map_textures());
+    ocean.schedule(0, pass.renderer().map_textures());
     for (int n = 1; n <= 3; ++n) {
-        const Frame& frame = ocean.complete();              // scheduled one frame ago
-        renderer.upload(frame);          // copies nothing: the textures are in a pixel buffer
+        // The frame was scheduled one frame ago. Its textures are in a pixel buffer, except foam.
+        pass.upload(ocean.complete());
         // Other threads compute the next frame while this thread draws.
-        ocean.schedule(n / 72.0, renderer.map_textures());
+        ocean.schedule(n / 72.0, pass.renderer().map_textures());
 
-        const Camera camera{.position_m = {0, 6, 0}, .target_m = {60, 0, 40}};
-        const gl::Eye eye = gl::eye_of(camera, {0, 0, width, height});
-        const DrawList& list = selection.select(
-            {.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
+        const gl::Eye eye = gl::eye_of({.position_m = {0, 6, 0}, .target_m = {60, 0, 40}}, {0, 0, width, height});
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        renderer.draw({.eyes = {&eye, 1},
-                       .viewer_m = camera.position_m,
-                       .list = &list,
-                       .lod_scale = selection.options().lod_scale});
+        pass.draw({.eyes = {&eye, 1}});
     }
     write_image();
 }

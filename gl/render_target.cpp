@@ -59,6 +59,13 @@ void RenderTarget::bind() {
     gl_.Viewport(0, 0, width_, height_);
 }
 
+void RenderTarget::clear(const glm::vec3& colour) {
+    bind();
+    gl_.ClearColor(colour.x, colour.y, colour.z, 1);
+    gl_.ClearDepthf(1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 TexturePart RenderTarget::resolved(int width, int height) {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "pelagic/gl/objects.hpp"
@@ -27,6 +28,8 @@ class RenderTarget {
 
     /// Binds the framebuffer and sets the viewport to the whole target.
     void bind();
+    /// Binds the target, and clears its depth to 1 and its colour.
+    void clear(const glm::vec3& colour = {0, 0, 0});
     /// Averages the samples of the lower left width x height pixels into a texture with linear
     /// filtering. The texture is valid until the next call. Binds this target again.
     TexturePart resolved(int width, int height);

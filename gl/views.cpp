@@ -7,7 +7,7 @@ Eye eye_of(const Camera& camera, const Viewport& viewport) {
     return {camera.clip_from_world(aspect), camera.position_m, viewport};
 }
 
-EyePair eyes_of(const Camera& camera, const Viewport& both, double apart_m) {
+std::vector<Eye> eyes_of(const Camera& camera, const Viewport& both, double apart_m) {
     const Viewport left{both.x, both.y, both.width / 2, both.height};
     const Viewport right{both.x + both.width / 2, both.y, both.width - both.width / 2, both.height};
     return {eye_of(camera.moved_right(-apart_m / 2), left), eye_of(camera.moved_right(apart_m / 2), right)};

@@ -3,6 +3,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "pelagic/quadtree/camera.hpp"
 
@@ -24,12 +25,9 @@ struct Eye {
 /// Returns the camera's eye, with an infinite far plane.
 Eye eye_of(const Camera& camera, const Viewport& viewport);
 
-struct EyePair {
-    Eye left, right;
-};
-/// Returns two parallel eyes side by side in the framebuffer.
+/// Returns two parallel eyes side by side in the framebuffer, the left one first.
 /// \param both  viewport of both eyes; each eye gets one half of the width
 /// \param apart_m  distance between the eyes, m
-EyePair eyes_of(const Camera& camera, const Viewport& both, double apart_m);
+std::vector<Eye> eyes_of(const Camera& camera, const Viewport& both, double apart_m);
 
 }  // namespace pelagic::gl

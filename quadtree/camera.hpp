@@ -11,6 +11,8 @@ struct Camera {
     glm::dvec3 target_m{100, 2, 0};  ///< must differ from the position
     double vertical_view_rad = 0.8;  ///< vertical field of view
 
+    bool operator==(const Camera&) const = default;
+
     /// Returns the unit vector to the right of the image. If the camera looks straight up or down,
     /// +x is at the top of the image.
     glm::dvec3 right() const;

@@ -91,6 +91,7 @@ struct DrawList {
     std::vector<DrawBatch> batches;        ///< at most 16, unless batch_limit splits batches
     std::vector<SkirtInstance> skirt;
     SelectionStatistics statistics;
+    double lod_scale = 2.2;  ///< tau of the selection, for the mip of a vertex's displacement
 };
 
 }  // namespace pelagic

@@ -42,6 +42,7 @@ constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
 }  // namespace
 
 Selection::Selection(const QuadtreeOptions& options) : options_(checked(options)), levels_(options_) {
+    list_.lod_scale = options.lod_scale;
     list_.instances.reserve(levels_.max_patches());
     found_.reserve(levels_.max_patches());
     list_.batches.reserve(

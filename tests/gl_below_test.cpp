@@ -38,11 +38,9 @@ class BelowScene {
    public:
     explicit BelowScene(const std::string& preset, int width = 96, int height = 64)
         : ocean_(sea_preset_named(preset)->sea, {.queries = true, .slopes = true}),
-          quadtree_(quadtree_preset_named("low")->options(1024)),
-          selection_(quadtree_),
+          selection_(quadtree_preset_named("low")->options(1024)),
           target_(context_.functions(), width, height, 1, gl::PixelKind::radiance),
-          renderer(context_.functions(), {.patch_vertices = quadtree_.vertices,
-                                          .resolution = ocean_.resolution(),
+          renderer(context_.functions(), {.resolution = ocean_.resolution(),
                                           .cascades = ocean_.cascade_count(),
                                           .writes = gl::PixelKind::radiance}) {}
 
@@ -78,15 +76,11 @@ class BelowScene {
         const gl::Eye eye = gl::eye_of(camera, {0, 0, target_.width(), target_.height()});
         const DrawList& list = selection_.select(
             {.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
-        target_.bind();
-        context_.functions().ClearColor(1000, 0, 1000, 1);  // magenta, brighter than all light
-        context_.functions().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        target_.clear({1000, 0, 1000});  // magenta, brighter than all light
         renderer.upload(frame);
-        context_.functions().Finish();
         renderer.draw({.eyes = {&eye, 1},
                        .viewer_m = camera.position_m,
                        .list = &list,
-                       .lod_scale = quadtree_.lod_scale,
                        .draws_sky = draws_sky,
                        .camera_water_plane = water});
         return target_.read_radiance();
@@ -106,7 +100,6 @@ class BelowScene {
    private:
     gl::HeadlessContext context_{{.debug = true}};
     Ocean ocean_;
-    QuadtreeOptions quadtree_;
     Selection selection_;
     gl::RenderTarget target_;
     Frame level_;

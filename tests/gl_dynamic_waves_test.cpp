@@ -94,8 +94,8 @@ TEST(GlDynamicWaves, ShadersMatchSample) {
         facts.dynamic_waves = {Grid::n, grid.surface().texel_m, first_x, first_z};
         const glm::dvec2 viewer = grid.middle() + glm::dvec2(1.7, 0.6);
         DrawList list;
-        const gl::SceneBlock block =
-            gl::scene_block_of({.eyes = {}, .viewer_m = {viewer.x, 2, viewer.y}, .list = &list}, facts, {}, {});
+        const gl::SceneBlock block = gl::scene_block_of(
+            {.eyes = {}, .viewer_m = glm::dvec3(viewer.x, 2, viewer.y), .list = &list}, facts, {}, {});
         probe.gl().ActiveTexture(GL_TEXTURE0);
         probe.gl().BindTexture(GL_TEXTURE_2D, textures.texels());
         const std::vector<float> rgba = probe.ask(block);

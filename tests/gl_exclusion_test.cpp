@@ -245,7 +245,6 @@ class GlExclusion : public testing::Test {
     const Frame& upload(double time_s) {
         const Frame& frame = scene_.ocean.frame_at(time_s);
         scene_.renderer->upload(frame);
-        scene_.gl().Finish();  // as in GlScene::draw()
         return frame;
     }
 
@@ -255,11 +254,7 @@ class GlExclusion : public testing::Test {
         for (const gl::Eye& eye : eyes) views.push_back(eye.clip_from_world);
         const DrawList& list =
             scene_.selection.select({.viewer_m = viewer_m, .views = views, .bounds = frame.bounds});
-        return {.eyes = eyes,
-                .viewer_m = viewer_m,
-                .list = &list,
-                .lod_scale = scene_.quadtree.lod_scale,
-                .draws_sky = false};
+        return {.eyes = eyes, .viewer_m = viewer_m, .list = &list, .draws_sky = false};
     }
 
     const Truth truth_{interior()};

@@ -35,17 +35,17 @@ SeaState sea_named(std::string_view name, int resolution) {
 
 GlScene::GlScene(const Options& options)
     : ocean(sea_of(options), {.queries = options.lens_may_dip, .slopes = true, .foam = options.foam}),
-      quadtree(quadtree_preset_named(options.quality)->options(options.size_m)),
-      selection(quadtree),
+      selection(quadtree_preset_named(options.quality)->options(options.size_m)),
       samples_(options.samples),
-      writes_(options.writes),
-      lens_may_dip_(options.lens_may_dip) {
+      writes_(options.writes) {
     resize(options.width, options.height);
-    renderer.emplace(gl(), gl::RendererOptions{.patch_vertices = quadtree.vertices,
-                                               .resolution = ocean.resolution(),
-                                               .cascades = ocean.cascade_count(),
-                                               .shading = options.shading,
-                                               .writes = writes_});
+    pass.emplace(gl(),
+                 gl::RendererOptions{.resolution = ocean.resolution(),
+                                     .cascades = ocean.cascade_count(),
+                                     .shading = options.shading,
+                                     .writes = writes_},
+                 selection.options());
+    renderer = &pass->renderer();
     renderer->set_sky(test_sky());
 }
 
@@ -56,37 +56,13 @@ void GlScene::resize(int width, int height, ImageRows only) {
     whole_ = {0, only.first + only.count - height, width, height};
 }
 
-const gl::DrawStatistics& GlScene::draw(const Camera& camera, const Frame& frame, bool draws_sky, bool stereo,
-                                        glm::vec3 clear) {
-    std::vector<gl::Eye> eyes;
-    if (stereo) {
-        const gl::EyePair pair = gl::eyes_of(camera, whole_, 0.063);
-        eyes = {pair.left, pair.right};
-    } else {
-        eyes = {gl::eye_of(camera, whole_)};
-    }
-    std::vector<glm::dmat4> views;
-    for (const gl::Eye& eye : eyes) views.push_back(eye.clip_from_world);
-    const DrawList& list = selection.select({.viewer_m = camera.position_m,
-                                             .views = views,
-                                             .bounds = frame.bounds,
-                                             .sea_level_m = frame.water_frame.sea_level_m});
-    target->bind();
-    gl().ClearColor(clear.x, clear.y, clear.z, 1);
-    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    renderer->upload(frame);
-    // Mesa's multithreaded software driver may sample mips before they are written; images must be
-    // reproducible.
-    gl().Finish();
-    std::optional<gl::CameraWaterPlane> water;
-    if (lens_may_dip_) water = gl::camera_water_plane(SurfaceQuery(frame), camera.position_m);
-    return renderer->draw({.eyes = eyes,
-                           .viewer_m = camera.position_m,
-                           .list = &list,
-                           .lod_scale = quadtree.lod_scale,
-                           .draws_sky = draws_sky,
-                           .camera_water_plane = water,
-                           .application_scene = application_scene});
+gl::DrawStatistics GlScene::draw(const Camera& camera, const Frame& frame, bool draws_sky, bool stereo,
+                                 glm::vec3 clear) {
+    const std::vector<gl::Eye> eyes =
+        stereo ? gl::eyes_of(camera, whole_, eye_distance_m) : std::vector<gl::Eye>{gl::eye_of(camera, whole_)};
+    target->clear(clear);
+    pass->upload(frame);
+    return pass->draw({.eyes = eyes, .draws_sky = draws_sky, .application_scene = application_scene, .spray = spray});
 }
 
 std::vector<float> GlScene::light_from_above(const Frame& frame, int pixels, double side_m) {
@@ -97,15 +73,10 @@ std::vector<float> GlScene::light_from_above(const Frame& frame, int pixels, dou
     clip[3] = {0, 0, 0, 1};
     const glm::dvec3 viewer(0, 2000, 0);
     const gl::Eye eye{.clip_from_world = clip, .position_m = viewer, .viewport = {0, 0, pixels, pixels}};
-    const DrawList& list =
-        selection.select({.viewer_m = viewer, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
     resize(pixels, pixels);
-    target->bind();
-    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    renderer->upload(frame);
-    gl().Finish();
-    renderer->draw(
-        {.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list, .lod_scale = quadtree.lod_scale, .draws_sky = false});
+    target->clear();
+    pass->upload(frame);
+    pass->draw({.eyes = {&eye, 1}, .draws_sky = false});
     const std::vector<float> read = target->read_radiance();
     std::vector<float> green;
     for (std::size_t i = 0; i < read.size(); i += 4) green.push_back(read[i + 1]);

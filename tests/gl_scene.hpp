@@ -9,8 +9,7 @@
 
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/render_target.hpp"
-#include "pelagic/gl/water/sea_renderer.hpp"
-#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/sim/ocean.hpp"
 
 namespace pelagic {
@@ -28,6 +27,7 @@ struct ImageRows {
 
 class GlScene {
    public:
+    static constexpr double eye_distance_m = 0.063;
     struct Options {
         std::string_view preset = "moderate";
         std::string_view quality = "high";
@@ -41,17 +41,17 @@ class GlScene {
         double depth_m = 0;         ///< 0: the preset's depth
         double wind_speed_mps = 0;  ///< 0: the preset's wind speed
         bool foam = false;          ///< foam accumulates, and images show it
-        bool lens_may_dip = false;  ///< the renderer gets the water plane at the lens
+        bool lens_may_dip = false;  ///< frames can be queried, for the water plane at the lens
     };
     explicit GlScene(const Options& options);
 
     /// Draws into the scene's target, which is first cleared with `clear`.
-    const gl::DrawStatistics& draw(const Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
-                                   glm::vec3 clear = {0, 0, 0}) {
+    gl::DrawStatistics draw(const Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
+                            glm::vec3 clear = {0, 0, 0}) {
         return draw(camera, ocean.frame_at(time_s), draws_sky, stereo, clear);
     }
-    const gl::DrawStatistics& draw(const Camera& camera, const Frame& frame, bool draws_sky = true,
-                                   bool stereo = false, glm::vec3 clear = {0, 0, 0});
+    gl::DrawStatistics draw(const Camera& camera, const Frame& frame, bool draws_sky = true, bool stereo = false,
+                            glm::vec3 clear = {0, 0, 0});
     std::vector<std::uint8_t> image(const Camera& camera, double time_s) {
         return image(camera, ocean.frame_at(time_s));
     }
@@ -68,16 +68,16 @@ class GlScene {
 
     gl::HeadlessContext context{{.debug = true}};
     Ocean ocean;
-    QuadtreeOptions quadtree;
     Selection selection;
     std::optional<gl::RenderTarget> target;
-    std::optional<gl::SeaRenderer> renderer;
-    std::optional<gl::ApplicationScene> application_scene;  ///< used in all draws
+    std::optional<gl::SeaPass> pass;
+    gl::SeaRenderer* renderer = nullptr;                    ///< of the pass
+    std::optional<gl::ApplicationScene> application_scene;  ///< used in all draws, as spray
+    gl::SprayInput spray;
 
    private:
     int samples_;
     gl::PixelKind writes_;
-    bool lens_may_dip_;
     gl::Viewport whole_;  ///< the image's region of the target
 };
 

@@ -46,8 +46,8 @@ TEST(SceneBlock, PlacesAViewerInEachRotatedCascade) {
         for (const double cascades : {0.0, 1e6}) {
             const CascadeGrid::Place at =
                 grid.in_world((cascades + 0.25) * grid.side_m, (3 * cascades + 0.5) * grid.side_m);
-            const gl::SceneBlock block =
-                gl::scene_block_of({.eyes = {}, .viewer_m = {at.along, 5, at.across}, .list = &list}, facts, {}, {});
+            const gl::SceneBlock block = gl::scene_block_of(
+                {.eyes = {}, .viewer_m = glm::dvec3(at.along, 5, at.across), .list = &list}, facts, {}, {});
             // There a double resolves 1e-6 m; the cascades are 3 m wide.
             EXPECT_NEAR(block.cascade_place[i].x, 0.25 + 0.5 / 64, 1e-5) << "cascade " << i;
             EXPECT_NEAR(block.cascade_place[i].y, 0.5 + 0.5 / 64, 1e-5) << "cascade " << i;
@@ -122,7 +122,7 @@ TEST(SceneBlock, UsesTheApplicationsExposureOrTheSkys) {
     EXPECT_EQ(block(0.5f, false).output_kind.z, 0);
     EXPECT_EQ(block(0.5f, true).output_kind.z, 0.5f);
     EXPECT_EQ(block({}, false).stars.x, 0);
-    sky.true_sun_direction = {0, -1, 0};
+    sky.options.sun_elevation_rad = -1.5f;
     sky.unit = 1e-5f;
     EXPECT_GT(block({}, false).stars.x, 0);
     // A sky's unit is in photometric units: night vision uses cd/m^2.

@@ -139,14 +139,8 @@ class GlShore : public testing::Test {
         const gl::Eye eye = square.eye(top_m);
         const DrawList& list = scene.selection.select(
             {.viewer_m = viewer, .views = {&eye.clip_from_world, 1}, .bounds = {-20, 20, 20, 20}});
-        scene.target->bind();
-        scene.gl().ClearColor(1, 0, 1, 1);
-        scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        scene.renderer->draw({.eyes = {&eye, 1},
-                              .viewer_m = viewer,
-                              .list = &list,
-                              .lod_scale = scene.quadtree.lod_scale,
-                              .draws_sky = false});
+        scene.target->clear({1, 0, 1});
+        scene.renderer->draw({.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list, .draws_sky = false});
     }
     std::vector<std::uint8_t> image(GlScene& scene, const SquareFromAbove& square) {
         draw(scene, square);
@@ -188,10 +182,6 @@ class GlShore : public testing::Test {
                 .samples = 0,
                 .size_m = 1024};
     }
-    void upload(GlScene& scene, const Frame& frame) {
-        scene.renderer->upload(frame);
-        scene.gl().Finish();
-    }
 };
 
 /// Returns a frame with four copies of its coarsest cascade, of different sides and rotations. Each
@@ -228,7 +218,7 @@ TEST_F(GlShore, WaterHasTheHeightsOfTheDefinition) {
     });
     FourLargeCascades large(scene.ocean.frame_at(3));
     large.frame.shore = shore.view();
-    upload(scene, large.frame);
+    scene.renderer->upload(large.frame);
     for (const glm::dvec2 from_corner : {glm::dvec2(130, 110), glm::dvec2(10, 60)}) {
         const SquareFromAbove square{.middle = corner + from_corner, .half_m = 40, .pixels = pixels};
         const Heights off = heights_beside(scene, square, cuts, [&] {
@@ -273,7 +263,7 @@ TEST_F(GlShore, DynamicWavesAddToIt) {
             heights[static_cast<std::size_t>((z & (side - 1)) * side + (x & (side - 1)))] =
                 static_cast<float>(3 * std::exp(-(from_x * from_x + from_z * from_z) / 200));
         }
-    upload(scene, large.frame);
+    scene.renderer->upload(large.frame);
     std::vector<double> exact;
     for (int row = 0; row < pixels; ++row)
         for (int column = 0; column < pixels; ++column)
@@ -299,7 +289,7 @@ TEST_F(GlShore, WaterHasTheQueriedHeights) {
     Ocean ocean(sea_named("moderate", 64), {.queries = true, .slopes = true, .shore = shore});
     ASSERT_EQ(ocean.cascade_count(), scene.ocean.cascade_count());
     const Frame& frame = ocean.frame_at(12);
-    upload(scene, frame);
+    scene.renderer->upload(frame);
     const SurfaceQuery query(frame);
     std::array<Heights, 2> off;
     for (const double from_corner : {350.0, -300.0}) {
@@ -366,11 +356,11 @@ TEST_F(GlShore, CascadeOfWeightZeroIsNotDrawn) {
         const Frame& frame = scene.ocean.frame_at(5);
         HandmadeShore shore({-200, -200}, 81, 81, 5);
         const SquareFromAbove square{.middle = {0, 0}, .half_m = 12, .pixels = pixels};
-        upload(scene, frame);
+        scene.renderer->upload(frame);
         const std::vector<std::uint8_t> all = image(scene, square);
         for (std::size_t missing = 0; missing < 4; ++missing) {
             const WithoutCascade less(frame, missing);
-            upload(scene, less.frame);
+            scene.renderer->upload(less.frame);
             const std::vector<std::uint8_t> wanted = image(scene, square);
 
             shore.each(50, [&](std::size_t texel, double, double, double part) {
@@ -378,7 +368,7 @@ TEST_F(GlShore, CascadeOfWeightZeroIsNotDrawn) {
             });
             Frame shown = frame;
             shown.shore = shore.view();
-            upload(scene, shown);
+            scene.renderer->upload(shown);
             // Without the frame's textures, of which one set may lack snapshots that the other has.
             const auto bytes_of_shore = [&] {
                 return scene.renderer->statistics().upload_bytes - scene.renderer->textures().uploaded_bytes();
@@ -390,7 +380,7 @@ TEST_F(GlShore, CascadeOfWeightZeroIsNotDrawn) {
             EXPECT_LE(largest_difference(held_back, wanted), 3) << name_of(shading) << ", cascade " << missing;
             EXPECT_GT(largest_difference(held_back, all), 12) << name_of(shading) << ", cascade " << missing;
 
-            upload(scene, shown);
+            scene.renderer->upload(shown);
             EXPECT_EQ(first_bytes - bytes_of_shore(), 4 * shore.weights_rgba8.size());
         }
     }
@@ -409,11 +399,11 @@ TEST_F(GlShore, ChangesNothingOutsideItsRectangle) {
         shore.weights_rgba8[texel] = static_cast<std::uint32_t>(std::lround(255 * (1 - part))) * 0x01010101u;
         shore.foam[texel] = static_cast<std::uint8_t>(std::lround(200 * part));
     });
-    upload(scene, frame);
+    scene.renderer->upload(frame);
     const std::vector<std::uint8_t> open = image(scene, square);
     Frame shown = frame;
     shown.shore = shore.view();
-    upload(scene, shown);
+    scene.renderer->upload(shown);
     const std::vector<std::uint8_t> with_shore = image(scene, square);
     // A storm's water is displaced by up to 5 m, and vertices are 4 m apart.
     int beside = 0, within = 0, different = 0;
@@ -439,13 +429,9 @@ TEST_F(GlShore, ChangesNothingOutsideItsRectangle) {
     right.viewport.x = pixels;
     const gl::Eye eyes[] = {left, right};
     const DrawList& list = scene.selection.select({.viewer_m = {square.middle.x, 1, square.middle.y}});
-    scene.target->bind();
-    scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    scene.renderer->draw({.eyes = eyes,
-                          .viewer_m = {square.middle.x, 1, square.middle.y},
-                          .list = &list,
-                          .lod_scale = scene.quadtree.lod_scale,
-                          .draws_sky = false});
+    scene.target->clear();
+    scene.renderer->draw(
+        {.eyes = eyes, .viewer_m = {square.middle.x, 1, square.middle.y}, .list = &list, .draws_sky = false});
     const std::vector<std::uint8_t> both = scene.target->read();
     int apart = 0;
     for (std::size_t row = 0; row < pixels; ++row)
@@ -488,7 +474,7 @@ TEST_F(GlShore, FoamOfTheShoreIsWhite) {
             shore.foam[texel] = part == 1 && x > square.middle.x ? 255 : 0;
         });
         frame.shore = shore.view();
-        upload(scene, frame);
+        scene.renderer->upload(frame);
         draw(scene, square);
         const std::vector<float> rgba = scene.target->read_radiance();
         const double white = mean_green(rgba, pixels, [&](int column, int) { return column > pixels / 2 + 10; });
@@ -540,7 +526,7 @@ TEST_F(GlShore, WavesReflectAccordingToTheirSlopes) {
                     shore.weights_rgba8[texel] = part < 1 ? 0xFFFFFFFFu : 0;
                 });
                 frame.shore = shore.view();
-                upload(scene, frame);
+                scene.renderer->upload(frame);
                 draw(scene, square);
                 green[slope > 0] = mean_green(scene.target->read_radiance(), pixels, [](int, int) { return true; });
             }
@@ -582,7 +568,7 @@ TEST_F(GlShore, SandIsDarkUpToTheReachOfWaves) {
         shore.weights_rgba8[texel] = part > 0 ? 0 : 0xFFFFFFFFu;
     });
     frame.shore = shore.view();
-    upload(scene, frame);
+    scene.renderer->upload(frame);
     draw(scene, square);
     const std::vector<float> rgba = scene.target->read_radiance();
     // Reach is interpolated bilinearly between the halves, and the edge is 8 cm of height wide.

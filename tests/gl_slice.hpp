@@ -39,16 +39,9 @@ inline std::vector<std::uint8_t> image_of_slice(GlScene& scene, const Frame& fra
     const gl::Eye eye{.clip_from_world = slice(middle, top_m),
                       .position_m = {middle.x, 30, middle.y},
                       .viewport = {0, 0, slice_pixels, slice_pixels}};
-    const DrawList& list = scene.selection.select({.viewer_m = viewer});
-    scene.target->bind();
-    scene.gl().ClearColor(1, 0, 1, 1);
-    scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    scene.renderer->upload(frame);
-    scene.renderer->draw({.eyes = {&eye, 1},
-                          .viewer_m = viewer,
-                          .list = &list,
-                          .lod_scale = scene.quadtree.lod_scale,
-                          .draws_sky = false});
+    scene.target->clear({1, 0, 1});
+    scene.pass->upload(frame);
+    scene.pass->draw({.eyes = {&eye, 1}, .viewer_m = viewer, .draws_sky = false});
     return scene.target->read();
 }
 

@@ -33,19 +33,17 @@ SprayDroplet droplet_at(const glm::dvec3& place, double radius_m, float opacity)
 class Sky {
    public:
     std::vector<float> image(const SprayDroplet& droplet, GLuint depth = 0, bool weighs = false) {
+        scene_.spray = {.droplets = {&droplet, 1}, .scene_depth = depth};
         scene_.draw(upwards, frame_, false);
+        if (!weighs) return scene_.target->read_radiance();
         const gl::Eye eye = gl::eye_of(upwards, {0, 0, spray_pixels, spray_pixels});
-        if (weighs) {
-            const DrawList& list = scene_.selection.select(
-                {.viewer_m = upwards.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame_.bounds});
-            scene_.renderer->draw({.eyes = {&eye, 1},
-                                   .viewer_m = upwards.position_m,
-                                   .list = &list,
-                                   .draws_sky = false,
-                                   .exposure = 2,
-                                   .weighs_samples = true});
-        }
-        scene_.renderer->draw_spray({.droplets = {&droplet, 1}, .scene_depth = depth});
+        scene_.target->clear();
+        scene_.renderer->draw({.eyes = {&eye, 1},
+                               .list = &scene_.pass->selection().list(),
+                               .draws_sky = false,
+                               .exposure = 2,
+                               .weighs_samples = true,
+                               .spray = scene_.spray});
         return scene_.target->read_radiance();
     }
     GlScene& scene() { return scene_; }
@@ -156,10 +154,9 @@ TEST(GlSpray, IsHiddenBelowTheWater) {
     const Frame& frame = scene.ocean.frame_at(0);
     const std::vector<std::uint8_t> without = scene.image(camera, frame);
     const auto with = [&](double y_m) {
-        scene.draw(camera, frame);
         const SprayDroplet droplet = droplet_at({10, y_m, 0}, 0.5, 0.8f);
-        scene.renderer->draw_spray({.droplets = {&droplet, 1}});
-        return scene.target->read();
+        scene.spray.droplets = {&droplet, 1};
+        return scene.image(camera, frame);
     };
     EXPECT_EQ(with(-3), without);
     EXPECT_NE(with(1), without);

@@ -222,10 +222,7 @@ void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
 template <class Check>
 std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, const Look& look,
                                 Check after_each_call) {
-    const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
-    gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices,
-                                  .resolution = frame.cascades[0].resolution(),
-                                  .cascades = frame.cascades.size()});
+    gl::SeaRenderer renderer(gl, {.resolution = frame.cascades[0].resolution(), .cascades = frame.cascades.size()});
     after_each_call("constructor");
     renderer.set_sky(test_sky());
     after_each_call("set_sky");
@@ -237,10 +234,9 @@ std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, con
     after_each_call("set_caustics");
     renderer.upload(frame);
     after_each_call("upload");
-    gl.Finish();
     const Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 0, 40}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, state_pixels, state_pixels});
-    Selection selection(quadtree);
+    Selection selection(quadtree_preset_named("low")->options(512));
     const DrawList& list =
         selection.select({.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
     std::optional<gl::Rock> rock;
@@ -254,17 +250,14 @@ std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, con
         rock->draw(eye, 0);
         after_each_call("rock's draw");
     }
+    const SprayDroplet droplet{.x_m = 12, .y_m = 8, .z_m = 8, .radius_m = 1, .opacity = 0.5f};
     renderer.draw({.eyes = {&eye, 1},
-                   .viewer_m = camera.position_m,
                    .list = &list,
-                   .lod_scale = quadtree.lod_scale,
                    .mode = look.mode,
                    .camera_water_plane = look.camera_water_plane,
-                   .application_scene = application_scene});
+                   .application_scene = application_scene,
+                   .spray = {.droplets = {&droplet, 1}}});
     after_each_call("draw");
-    const SprayDroplet droplet{.x_m = 12, .y_m = 8, .z_m = 8, .radius_m = 1, .opacity = 0.5f};
-    renderer.draw_spray({.droplets = {&droplet, 1}});
-    after_each_call("draw_spray");
     std::vector<std::uint8_t> pixels(std::size_t{4} * state_pixels * state_pixels);
     read_target(gl, pixels);
     return pixels;

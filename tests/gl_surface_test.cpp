@@ -62,13 +62,12 @@ TEST(GlSurface, DoesNotDependOnTheOriginOfPositions) {
     const Frame& frame = scene.ocean.frame_at(3);
     const Camera camera{.position_m = {0, 40, 0}, .target_m = {200, 0, 130}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 160, 90});
-    const DrawList& list = scene.selection.select({.viewer_m = camera.position_m});
+    DrawList list = scene.selection.select({.viewer_m = camera.position_m});
+    list.lod_scale = 1e9;  // so fine a mesh samples mip 0 everywhere; else the mip depends on the viewer
     const auto image_from = [&](glm::dvec3 viewer) {
         scene.renderer->upload(frame);
-        scene.gl().Finish();
         scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        // So fine a mesh samples mip 0 everywhere; otherwise the mip would depend on the viewer.
-        scene.renderer->draw({.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list, .lod_scale = 1e9});
+        scene.renderer->draw({.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list});
         return scene.target->read();
     };
     const auto here = image_from(camera.position_m), there = image_from({2000, 40, -1500});

@@ -179,17 +179,8 @@ class Scene {
         selection_.select(
             {.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
         const gl::Sky& sky = test_sky();
-        block_ =
-            gl::scene_block_of({.eyes = {&eye, 1}, .viewer_m = camera.position_m, .list = &list(), .lod_scale = 2},
-                               facts, gl::water_optics(gl::default_jerlov_type),
-                               {.levels = sky.levels,
-                                .sun_direction = sky.sun_direction,
-                                .sun_irradiance = sky.sun_irradiance,
-                                .sky_irradiance = sky.sky_irradiance,
-                                .haze_per_m = sky.haze_per_m,
-                                .exposure = sky.exposure,
-                                .unit = sky.unit,
-                                .true_sun_direction = sky.sun_direction});
+        block_ = gl::scene_block_of({.eyes = {&eye, 1}, .list = &list()}, facts,
+                                    gl::water_optics(gl::default_jerlov_type), sky);
         // The C interface has no statistics of foam in pixels wider than its structure.
         block_.foam_filter = {};
         buffers_.upload(list().instances, list().skirt);

@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Cascades, GlUploads, testing::Values(1, 4),
 
 TEST(GlUpload, RejectsAnUnsuitableFrameAndNamesWhatIsMissing) {
     gl::HeadlessContext context;
-    gl::SeaRenderer renderer(context.functions(), {.patch_vertices = 16, .resolution = 32, .cascades = 1});
+    gl::SeaRenderer renderer(context.functions(), {.resolution = 32, .cascades = 1});
     const auto refused = [&](const SeaState& sea, const OceanOptions& options) {
         Ocean ocean(sea, options);
         return message_of([&] { renderer.upload(ocean.frame_at(0)); });

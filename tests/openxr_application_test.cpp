@@ -13,8 +13,7 @@
 
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/render_target.hpp"
-#include "pelagic/gl/water/sea_renderer.hpp"
-#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
@@ -136,28 +135,23 @@ double mean_square_difference(const RgbaImage& a, const RgbaImage& b) {
 std::array<RgbaImage, 2> drawn_here(const std::array<RecordedEye, 2>& eyes, const Frame& frame, int side) {
     const gl::HeadlessContext context;
     const gl::Functions& gl = context.functions();
-    Selection selection(quadtree_preset_named("low")->options(2048));
     gl::RenderTarget target(gl, side, side, 0);
-    gl::SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
-                                  .resolution = frame.cascades[0].resolution(),
-                                  .cascades = frame.cascades.size(),
-                                  .shading = gl::Shading::headset});
+    gl::SeaPass pass(gl,
+                     {.resolution = frame.cascades[0].resolution(),
+                      .cascades = frame.cascades.size(),
+                      .shading = gl::Shading::headset},
+                     quadtree_preset_named("low")->options(2048));
     gl::SkyBaker baker(make_default_executor(), 128);
     baker.schedule({.sun_azimuth_rad = -0.6f, .sun_elevation_rad = 0.8f});
-    renderer.set_sky(baker.complete());
-    renderer.upload(frame);
-    gl.Finish();
+    pass.renderer().set_sky(baker.complete());
+    pass.upload(frame);
 
     const glm::dvec3 viewer = (eyes[0].place_m + eyes[1].place_m) / 2.0;
-    const std::array<glm::dmat4, 2> clips = {eyes[0].clip_from_world(), eyes[1].clip_from_world()};
-    const DrawList& list = selection.select({.viewer_m = viewer, .views = clips, .bounds = frame.bounds});
     std::array<RgbaImage, 2> images;
     for (std::size_t i = 0; i < 2; ++i) {
-        const gl::Eye eye{clips[i], eyes[i].place_m, {0, 0, side, side}};
-        target.bind();
-        gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        renderer.draw(
-            {.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list, .lod_scale = selection.options().lod_scale});
+        const gl::Eye eye{eyes[i].clip_from_world(), eyes[i].place_m, {0, 0, side, side}};
+        target.clear();
+        pass.draw({.eyes = {&eye, 1}, .viewer_m = viewer});
         images[i] = {side, side, {}};
         const std::vector<std::uint8_t> rgba = target.read();
         for (std::size_t at = 0; at < rgba.size(); at += 4)

@@ -16,10 +16,7 @@ void CameraView::begin(int window_width, int window_height, float scale, int sam
     };
     width_ = scaled(window_width);
     height_ = scaled(window_height);
-    target_->bind();
-    gl_.ClearColor(0, 0, 0, 1);
-    gl_.ClearDepthf(1);
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    target_->clear();
 }
 
 void CameraView::end(float luminance_of_unit) {

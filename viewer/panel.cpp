@@ -34,19 +34,27 @@ bool slide_angle(const Slider& slider, auto& radians) {
     return true;
 }
 
+std::string_view label_of(gl::Surface surface) { return name_of(surface); }
+std::string_view label_of(const auto& preset) { return preset.name; }
+
+/// Shows a list. Calls take() with the item that the user chooses.
+void choose(const char* label, std::string_view shown, const auto& items, const auto& take) {
+    if (!ImGui::BeginCombo(label, std::string(shown).c_str())) return;
+    for (const auto& item : items)
+        if (ImGui::Selectable(std::string(label_of(item)).c_str(), label_of(item) == shown)) take(item);
+    ImGui::EndCombo();
+}
+
 void choose_preset(SeaState& sea) {
-    if (!ImGui::BeginCombo("sea state", "choose ...")) return;
-    for (const SeaPreset& preset : sea_presets()) {
-        if (!ImGui::Selectable(std::string(preset.name).c_str())) continue;
+    choose("sea state", "choose ...", sea_presets(), [&](const SeaPreset& preset) {
         const SeaState before = sea;
         sea = preset.sea;
-        if ((before.waves == WaveModel::pond) != (sea.waves == WaveModel::pond)) continue;
+        if ((before.waves == WaveModel::pond) != (sea.waves == WaveModel::pond)) return;
         sea.resolution = before.resolution;  // the renderer keeps its textures
         sea.cascades = before.cascades;
         sea.patch_size_m = before.patch_size_m;
         if (!check(sea).empty()) sea = preset.sea;
-    }
-    ImGui::EndCombo();
+    });
 }
 
 /// Shows the wave parameters that do not follow from the wind.
@@ -68,28 +76,16 @@ void choose_cascades(SeaState& sea, const std::vector<double>& sides_m) {
     ImGui::Text("cascades of %s m", sides.c_str());
 }
 
-void choose_quality(std::string& quality) {
-    if (!ImGui::BeginCombo("quality", quality.c_str())) return;
-    for (const QuadtreePreset& preset : quadtree_presets()) {
-        const std::string name(preset.name);
-        if (ImGui::Selectable(name.c_str(), name == quality)) quality = name;
-    }
-    ImGui::EndCombo();
-}
-
 /// Shows the light presets. A preset sets the whole sky, the exposure bias and the light through
 /// crests at once.
 void choose_light(ViewSettings& settings) {
-    if (!ImGui::BeginCombo("light", settings.light.empty() ? "choose ..." : settings.light.c_str())) return;
-    for (const gl::LightPreset& preset : gl::light_presets()) {
-        const std::string name(preset.name);
-        if (!ImGui::Selectable(name.c_str(), name == settings.light)) continue;
-        settings.light = name;
+    const std::string shown = settings.light.empty() ? "choose ..." : settings.light;
+    choose("light", shown, gl::light_presets(), [&](const gl::LightPreset& preset) {
+        settings.light = preset.name;
         settings.sky = preset.sky;
         settings.camera.bias_stops = preset.bias_stops;
         settings.crest_glow = preset.crest_glow;
-    }
-    ImGui::EndCombo();
+    });
 }
 
 void choose_exposure(gl::CameraSettings& camera, float ev) {
@@ -122,19 +118,13 @@ void choose_shading(std::optional<gl::Shading>& shading, gl::Shading drawn) {
     ImGui::EndCombo();
 }
 
-void choose_surface(gl::Surface& surface) {
-    if (!ImGui::BeginCombo("surface", name_of(surface).data())) return;
-    for (const gl::Surface each : values_of<gl::Surface>())
-        if (ImGui::Selectable(name_of(each).data(), each == surface)) surface = each;
-    ImGui::EndCombo();
-}
-
 void show_times(const ViewStatistics& statistics, const std::vector<StageTimes::Row>& rows) {
     ImGui::Text("%.1f ms a frame, %.2f million triangles", statistics.frame_ms,
-                static_cast<double>(statistics.triangles) / 1e6);
-    ImGui::Text("%zu patches in %d draws, selected in %.0f us", statistics.patches, statistics.draw_calls,
-                statistics.select_us);
-    ImGui::Text("CPU: upload %.2f ms, draw %.2f ms", statistics.upload_ms, statistics.draw_ms);
+                static_cast<double>(statistics.drawn.triangles) / 1e6);
+    ImGui::Text("%zu patches in %d draws, selected in %.0f us", statistics.patches,
+                statistics.drawn.sea_calls + statistics.drawn.sky_calls, statistics.drawn.select_ms * 1000);
+    ImGui::Text("CPU: upload %.2f ms, draw %.2f ms", statistics.drawn.upload_ms - statistics.drawn.upload_driver_ms,
+                statistics.drawn.draw_ms - statistics.drawn.draw_driver_ms);
     for (const StageTimes::Row& row : rows) {
         const float largest = *std::max_element(row.ms.begin(), row.ms.end());
         char text[80];
@@ -168,10 +158,12 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewStatistics
     if (statistics.sky_is_baking) ImGui::Text("baking the sky ...");
     choose_exposure(settings.camera, statistics.ev);
     ImGui::Separator();
-    choose_quality(settings.quality);
+    choose("quality", settings.quality, quadtree_presets(),
+           [&](const QuadtreePreset& preset) { settings.quality = preset.name; });
     choose_scale(settings, statistics);
     choose_shading(settings.shading, statistics.shading);
-    choose_surface(settings.surface);
+    choose("surface", name_of(settings.surface), values_of<gl::Surface>(),
+           [&](gl::Surface surface) { settings.surface = surface; });
     ImGui::Checkbox("wireframe", &settings.wireframe);
     ImGui::SameLine();
     ImGui::Checkbox("freeze", &settings.frozen);

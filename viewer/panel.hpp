@@ -7,9 +7,7 @@
 
 #include "pelagic/gl/exposure.hpp"
 #include "pelagic/gl/sky/sky_baker.hpp"
-#include "pelagic/gl/water/shading.hpp"
-#include "pelagic/gl/water/small_water.hpp"
-#include "pelagic/gl/water/water_optics.hpp"
+#include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/view_camera.hpp"
@@ -42,12 +40,10 @@ struct ViewSettings {
 /// Statistics of the last frame, for the panel.
 struct ViewStatistics {
     double frame_ms = 0;
-    double select_us = 0, upload_ms = 0, draw_ms = 0;
-    int draw_calls = 0;
+    gl::DrawStatistics drawn;               ///< of the last drawn image
     int drawn_width = 0, drawn_height = 0;  ///< size of the drawn image before enlargement, pixels
     gl::Shading shading = gl::Shading::high;
     float ev = 0;  ///< exposure value
-    std::uint64_t triangles = 0;
     std::size_t patches = 0;
     double significant_wave_height_m = 0;
     std::vector<double> cascade_sides_m;

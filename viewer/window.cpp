@@ -1,5 +1,8 @@
 #include "pelagic/viewer/window.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -67,16 +70,21 @@ void Window::poll() {
 }
 void Window::swap() { glfwSwapBuffers(window_); }
 
-int Window::width() const {
-    int width = 0;
-    glfwGetFramebufferSize(window_, &width, nullptr);
-    return width;
+glm::ivec2 Window::size() const {
+    glm::ivec2 size(0);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
 }
 
-int Window::height() const {
-    int height = 0;
-    glfwGetFramebufferSize(window_, nullptr, &height);
-    return height;
+std::vector<std::uint8_t> Window::read_pixels() const {
+    const int width = size().x, height = size().y;
+    const std::ptrdiff_t row = std::ptrdiff_t{4} * width;
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(row * height));
+    functions_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    functions_.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    for (auto top = pixels.begin(), bottom = pixels.end() - row; top < bottom; top += row, bottom -= row)
+        std::swap_ranges(top, top + row, bottom);
+    return pixels;
 }
 
 gl::GetProcAddress Window::get_proc_address() {

@@ -1,7 +1,7 @@
 // A window with an OpenGL ES 3.0 context, through GLFW.
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,10 +34,11 @@ class Window {
     /// last poll(), pixels.
     glm::dvec2 dragged_px() const { return drag_.moved_px(); }
 
-    /// Width of the framebuffer, pixels; 0 while the window is minimised.
-    int width() const;
-    /// Height of the framebuffer, pixels; 0 while the window is minimised.
-    int height() const;
+    /// Returns the size of the framebuffer, pixels; 0 while the window is minimised.
+    glm::ivec2 size() const;
+
+    /// Reads the framebuffer before swap(): RGBA8, top row first. Waits for the GPU.
+    std::vector<std::uint8_t> read_pixels() const;
 
     GLFWwindow* handle() const { return window_; }
     const gl::Functions& functions() const { return functions_; }

@@ -46,49 +46,42 @@ glm::dvec3 origin_above(const Frame& frame) { return {0, 3 + frame.statistics.si
 
 SeaScene::SeaScene(const SeaState& sea, const QuadtreePreset& quality, const gl::Functions& gl, bool multiview)
     : ocean_(sea, {.slopes = true, .foam = true}),
-      selection_(quality.options(2048)),
-      renderer_(gl, {.patch_vertices = selection_.options().vertices,
-                     .resolution = ocean_.resolution(),
-                     .cascades = ocean_.cascade_count(),
-                     .shading = gl::Shading::headset,
-                     .framebuffer_is_srgb = true,
-                     .multiview = multiview}) {
+      pass_(gl,
+            {.resolution = ocean_.resolution(),
+             .cascades = ocean_.cascade_count(),
+             .shading = gl::Shading::headset,
+             .framebuffer_is_srgb = true,
+             .multiview = multiview},
+            quality.options(2048)) {
     gl::SkyBaker baker(make_default_executor(), sky_face_size);
     baker.schedule({.sun_azimuth_rad = -0.6f, .sun_elevation_rad = 0.8f});
-    renderer_.set_sky(baker.complete());
+    pass_.renderer().set_sky(baker.complete());
 }
 
 void SeaScene::schedule(double time_s, bool hashed) {
     if (hashed)
         ocean_.schedule(time_s);
     else
-        ocean_.schedule(time_s, renderer_.map_textures());  // directly into a pixel buffer
+        ocean_.schedule(time_s, pass_.renderer().map_textures());  // directly into a pixel buffer
 }
 
 void SeaScene::complete() {
     frame_ = &ocean_.complete();
-    renderer_.upload(*frame_);
+    pass_.upload(*frame_);
 }
 
 void SeaScene::draw(const std::array<XrView, 2>& views, const EyeImages& images) {
     const glm::dvec3 origin = origin_above(*frame_);
     const std::array<gl::Eye, 2> eyes = {eye_of(views[0], origin, images), eye_of(views[1], origin, images)};
-    const std::array<glm::dmat4, 2> clips = {eyes[0].clip_from_world, eyes[1].clip_from_world};
-    const glm::dvec3 viewer = (eyes[0].position_m + eyes[1].position_m) / 2.0;
-    const DrawList& list = selection_.select({.viewer_m = viewer, .views = clips, .bounds = frame_->bounds});
-
-    const auto draw_for = [&](std::span<const gl::Eye> some) {
-        renderer_.draw(
-            {.eyes = some, .viewer_m = viewer, .list = &list, .lod_scale = selection_.options().lod_scale});
-    };
     if (images.is_multiview()) {
         images.bind_both();
-        draw_for(eyes);
+        pass_.draw({.eyes = eyes});
         return;
     }
+    const glm::dvec3 viewer = (eyes[0].position_m + eyes[1].position_m) / 2.0;
     for (std::size_t eye = 0; eye < 2; ++eye) {
         images.bind_eye(eye);
-        draw_for({&eyes[eye], 1});
+        pass_.draw({.eyes = {&eyes[eye], 1}, .viewer_m = viewer});  // both eyes see the same mesh
     }
 }
 

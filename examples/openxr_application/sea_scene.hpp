@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "eye_images.hpp"
-#include "pelagic/gl/water/sea_renderer.hpp"
-#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/sim/ocean.hpp"
 
 namespace openxr_application {
@@ -26,14 +25,12 @@ class SeaScene {
     void complete();
     /// Returns the frame completed last.
     const pelagic::Frame& frame() const { return *frame_; }
-    /// Draws the frame for both eyes into `images`: one selection, then one pass with multiview,
-    /// else two.
+    /// Draws the frame for both eyes into `images`: one pass with multiview, else two.
     void draw(const std::array<XrView, 2>& eyes, const EyeImages& images);
 
    private:
     pelagic::Ocean ocean_;
-    pelagic::Selection selection_;
-    pelagic::gl::SeaRenderer renderer_;
+    pelagic::gl::SeaPass pass_;
     const pelagic::Frame* frame_ = nullptr;
 };
 

@@ -189,6 +189,6 @@ Boat::Surface Boat::interior() {
     });
 }
 
-Boat::Boat(const Functions& gl) : mesh_(boat_mesh(gl)) {}
+Boat::Boat(const Functions& gl) : LitMesh(boat_mesh(gl)) {}
 
 }  // namespace pelagic::gl

@@ -12,7 +12,7 @@
 
 namespace pelagic::gl {
 
-class Boat {
+class Boat : public LitMesh {
    public:
     static constexpr float length_m = 7.2f, beam_m = 2.5f, draught_m = 0.55f;
 
@@ -29,19 +29,6 @@ class Boat {
 
     /// \throws GlError if the driver rejects a shader
     explicit Boat(const Functions& gl);
-
-    void set_light(const Sky& sky) { mesh_.set_light(sky); }
-    /// Draws the boat (LitMesh::draw()).
-    void draw(const Eye& eye, const glm::dmat4& world_from_boat, float weighing_exposure) {
-        mesh_.draw(eye, world_from_boat, weighing_exposure);
-    }
-    /// Draws the boat into textures that the sea reflects (LitMesh::image()).
-    ApplicationScene image(const Eye& eye, const glm::dmat4& world_from_boat) {
-        return mesh_.image(eye, world_from_boat);
-    }
-
-   private:
-    LitMesh mesh_;
 };
 
 }  // namespace pelagic::gl

@@ -38,18 +38,14 @@ glm::vec3 sun_direction(const SkyOptions& options);
 /// Returns the direction to the moon: a unit vector, +y up.
 glm::vec3 moon_direction(const SkyOptions& options);
 
-/// A baked sky. Radiances are relative to `unit` times the sun's irradiance above the atmosphere.
-/// The key light is the light source that has a disc and a glint: the sun, or the moon if it is
-/// brighter at sea level.
-struct Sky {
+/// The light of a baked sky. Radiances are relative to `unit` times the sun's irradiance above the
+/// atmosphere. The key light is the light source that has a disc and a glint: the sun, or the moon if
+/// it is brighter at sea level.
+struct SkyLight {
     SkyOptions options;
-    int face_size = 0;
     /// Number of levels. Level m holds the sky reflected by a GGX mirror of roughness alpha = (m /
     /// (levels - 1))^2. Its faces have face_size >> m texels on a side.
     int levels = 0;
-    /// RGBA half floats. A: in level 0 the clouds' transmittance for starlight, else 1. Order:
-    /// levels, then the faces +x, -x, +y, -y, +z, -z, then rows in GL's order.
-    std::vector<std::uint16_t> texels;
     glm::vec3 sun_direction{0, 1, 0};  ///< direction to the key light
     /// Irradiance of the key light at sea level on a plane perpendicular to its rays, after air,
     /// haze and clouds.
@@ -62,6 +58,15 @@ struct Sky {
 
     /// Returns the luminance of a stored radiance of 1, cd/m^2.
     float luminance_of_unit() const { return sun_illuminance_lx * unit; }
+};
+
+/// A baked sky.
+struct Sky : SkyLight {
+    int face_size = 0;
+    /// RGBA half floats. A: in level 0 the clouds' transmittance for starlight, else 1. Order:
+    /// levels, then the faces +x, -x, +y, -y, +z, -z, then rows in GL's order.
+    std::vector<std::uint16_t> texels;
+
     /// Returns the texels of one face of one level.
     std::span<const std::uint16_t> face(int level, int face) const;
 };

@@ -35,7 +35,7 @@ double near_plane(const glm::dmat4& viewer_from_clip) {
 glm::vec4 lens_of(const DrawInput& input) {
     if (!input.camera_water_plane || input.eyes.empty()) return {};
     const CameraWaterPlane& water = *input.camera_water_plane;
-    const double above = input.viewer_m.y - water.height_m;
+    const double above = input.viewer().y - water.height_m;
     const double near_m = near_plane(glm::inverse(input.eyes[0].clip_from_world));
     if (above > std::max(1.0, 4 * near_m)) return {};
     return {-above, water.slope.x, water.slope.y, near_m};
@@ -66,18 +66,19 @@ void place_crests(SceneBlock& block, const SeaFacts& sea, glm::dvec2 viewer) {
 
 }  // namespace
 
-glm::ivec2 floor_cells(const FloorFacts& floor) {
+glm::ivec2 floor_cells(const SeaFloor& floor) {
     constexpr int max = 256;
     return {std::clamp(floor.columns - 1, 1, max), std::clamp(floor.rows - 1, 1, max)};
 }
 
-void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
+void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const SeaFloor& floor,
                  const CausticFacts& caustics) {
-    const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z);
+    const glm::dvec3 viewer_m = input.viewer();
+    const glm::dvec2 viewer(viewer_m.x, viewer_m.z);
     // Queries cover the frame's waves but not small water, which is rendered as seen from the air
     // only.
     if (sea.surface == Surface::open) block.lens = lens_of(input);
-    const bool is_field = floor.columns > 0;
+    const bool is_field = !floor.is_even();
     // Samples are the centres of texels.
     const glm::dvec2 size = glm::dvec2(floor.columns, floor.rows) * floor.metres_a_texel;
     const glm::dvec2 corner = floor.corner_m - viewer;
@@ -93,11 +94,10 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
                         input.eyes.empty() ? 1e-3 : pixel_of(input.eyes[0]), floor.is_sand ? 1 : 0};
     block.floor_albedo = {floor.albedo, is_field || sea.sea.depth_m < deepest_seen_floor_m ? 1 : 0};
 
-    const glm::dvec2 in_water = sea.in_water(input.viewer_m);
+    const glm::dvec2 in_water = sea.in_water(viewer_m);
     place_crests(block, sea, in_water);
     block.caustic_row[0].w = static_cast<float>(caustics.depth_m);
-    if (caustics.side_m > 0) {
-        const CascadeGrid grid{caustics.side_m, caustics.cosine, caustics.sine};
+    if (const CascadeGrid& grid = caustics.grid; grid.side_m > 0) {
         const CascadeGrid::Place at = grid.in_cascade(in_water.x, in_water.y);
         const auto fraction = [&](double value) { return value / grid.side_m - std::floor(value / grid.side_m); };
         block.caustic_place = {fraction(at.along), fraction(at.across), grid.cosine / grid.side_m,

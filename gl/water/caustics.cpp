@@ -103,11 +103,6 @@ double focus_of(const Cascade& cascade) {
     return water_index / ((water_index - 1) * 1.5 * std::max(curvature, 1e-9));
 }
 
-bool shows_caustics(const SeaFloor& floor, double sea_depth_m, double above_water_m) {
-    constexpr double deepest_seen_m = 60, soon_m = 2;
-    return above_water_m < soon_m || !floor.is_even() || sea_depth_m < deepest_seen_m;
-}
-
 double caustics_depth_m(const SeaFloor& floor, double sea_depth_m) {
     constexpr double deepest_m = 12, usual_m = 8;
     if (floor.is_even()) return sea_depth_m <= deepest_m ? std::max(sea_depth_m, 0.2) : usual_m;

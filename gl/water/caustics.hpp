@@ -59,11 +59,6 @@ struct Caustics {
 /// n / ((n - 1) 1.5 c), where c is the root mean square of the sum of both curvatures.
 double focus_of(const Cascade& cascade);
 
-/// Returns whether caustics can be visible: the eye is in the water or close above it, or a floor
-/// is in sight.
-/// \param above_water_m  height of the eye above the surface below it
-bool shows_caustics(const SeaFloor& floor, double sea_depth_m, double above_water_m);
-
 /// Returns the depth at which to focus caustics, in metres. For an even floor it is the sea's
 /// depth; for a height field it is the median of its depths between 0.5 and 12 m. It is 8 m for
 /// deeper floors, where only shafts of light show.

@@ -12,7 +12,7 @@ void place_exclusions(SceneBlock& block, const DrawInput& input, std::span<const
     for (std::size_t i = 0; i < input.exclusions.size(); ++i) {
         const Exclusion& exclusion = input.exclusions[i];
         const ExclusionMap& map = maps[exclusion.map];
-        const glm::dvec3 viewer = exclusion.in_hull(input.viewer_m) - map.lower_m();
+        const glm::dvec3 viewer = exclusion.in_hull(input.viewer()) - map.lower_m();
         const glm::dmat3 world_from_hull = glm::mat3_cast(exclusion.orientation);
         for (int axis = 0; axis < 3; ++axis)
             block.exclusion_box[3 * i + static_cast<std::size_t>(axis)] =

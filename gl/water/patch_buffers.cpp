@@ -40,7 +40,7 @@ std::vector<std::uint16_t> edges_of(const PatchMesh& mesh, const PatchMesh::Rang
 
 }  // namespace
 
-PatchBuffers::PatchBuffers(const Functions& gl, int vertices) : gl_(gl), mesh_(vertices) {
+PatchBuffers::PatchBuffers(const Functions& gl, int vertices) : gl_(gl), patch_vertices_(vertices), mesh_(vertices) {
     gl.BindVertexArray(0);  // index buffers are bound to the current vertex array
     vertices_ = make_buffer(gl, GL_ARRAY_BUFFER, mesh_.positions);
     triangles_ = make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh_.indices);

@@ -13,7 +13,9 @@ namespace pelagic::gl {
 
 class PatchBuffers {
    public:
+    /// \param vertices  V of the draw lists
     PatchBuffers(const Functions& gl, int vertices);
+    int vertices() const { return patch_vertices_; }
 
     /// Uploads the instances of a draw list and returns their size in bytes. Buffers rotate, so the
     /// call does not wait for the GPU.
@@ -40,6 +42,7 @@ class PatchBuffers {
     void describe_patches(const Buffer& indices);
 
     const Functions& gl_;
+    int patch_vertices_;
     PatchMesh mesh_;
     std::array<PatchMesh::Range, 16> line_ranges_{};
     std::size_t skirt_indices_ = 0;

@@ -117,11 +117,12 @@ void place_dynamic_waves(SceneBlock& block, const DynamicWaveFacts& dynamic_wave
 
 /// Sets the uniforms of the moon's disc and the stars.
 void place_night(SceneBlock& block, const SkyLight& sky) {
-    const float lit_fraction = 0.5f - 0.5f * glm::dot(sky.true_sun_direction, sky.sun_direction);
-    block.moon = {sky.true_sun_direction, sky.key_is_moon ? std::max(lit_fraction, 0.01f) : 0};
+    const glm::vec3 sun = sun_direction(sky.options);
+    const float lit_fraction = 0.5f - 0.5f * glm::dot(sun, sky.sun_direction);
+    block.moon = {sun, sky.key_is_moon ? std::max(lit_fraction, 0.01f) : 0};
     // No stars are visible while the sun is less than 6 degrees below the horizon.
     constexpr float civil_twilight = -0.1045f;
-    const float dark = glm::smoothstep(0.f, -0.05f, sky.true_sun_direction.y - civil_twilight);
+    const float dark = glm::smoothstep(0.f, -0.05f, sun.y - civil_twilight);
     block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
 }
 
@@ -251,19 +252,20 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     const SeaState& sea = facts.sea;
     SceneBlock block;
     const QuadtreeGrid& grid = input.list->grid;
-    const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z), in_water = facts.in_water(input.viewer_m);
-    const double sea_level_m = facts.water_frame.sea_level_m, above_m = input.viewer_m.y - sea_level_m;
+    const glm::dvec3 viewer_m = input.viewer();
+    const glm::dvec2 viewer(viewer_m.x, viewer_m.z), in_water = facts.in_water(viewer_m);
+    const double sea_level_m = facts.water_frame.sea_level_m, above_m = viewer_m.y - sea_level_m;
     for (std::size_t i = 0; i < input.eyes.size(); ++i) {
-        const glm::dmat4 clip = glm::translate(input.eyes[i].clip_from_world, input.viewer_m);
+        const glm::dmat4 clip = glm::translate(input.eyes[i].clip_from_world, viewer_m);
         block.clip_from_viewer[i] = glm::mat4(clip);
         block.viewer_from_clip[i] = glm::mat4(glm::inverse(clip));
-        block.eye[i] = glm::vec4(glm::vec3(input.eyes[i].position_m - input.viewer_m), 0);
+        block.eye[i] = glm::vec4(glm::vec3(input.eyes[i].position_m - viewer_m), 0);
     }
     const auto to_float = [](glm::dvec2 v) { return glm::vec2(v); };
     block.viewer = {input.draws_sky ? 1 : 0, 0, above_m, sea_level_m};
     block.grid = {to_float(glm::dvec2(grid.corner) * grid.step_m - viewer), grid.step_m, grid.vertices};
     block.fade = {to_float(grid.fade_centre - viewer), grid.fade_end_m, 1 / (grid.fade_end_m - grid.fade_start_m)};
-    block.mesh = {1 / (input.lod_scale * grid.vertices), grid.step_m,
+    block.mesh = {1 / (input.list->lod_scale * grid.vertices), grid.step_m,
                   facts.has_displacement_mips ? mip_levels(facts.resolution) - 1 : 0, 0};
     block.skirt = {to_float((glm::dvec2(grid.corner) + 0.5 * grid.side) * grid.step_m - viewer), grid.side,
                    grid.deepest_level};

@@ -13,8 +13,9 @@
 #include <span>
 #include <vector>
 
-#include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/sky/sky.hpp"
 #include "pelagic/gl/water/exclusions.hpp"
+#include "pelagic/gl/water/sea_floor.hpp"
 #include "pelagic/gl/water/small_water.hpp"
 #include "pelagic/gl/water/water_optics.hpp"
 #include "pelagic/sim/frame.hpp"
@@ -118,37 +119,17 @@ struct SeaFacts {
     double texel_m(const CascadeFacts& cascade) const { return cascade.grid.side_m / resolution; }
 };
 
-/// Light of a baked sky; fields correspond to those of Sky (gl/sky/sky.hpp).
-struct SkyLight {
-    int levels = 1;
-    glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};
-    float exposure = 1;
-    float unit = 1;
-    bool key_is_moon = false;
-    /// Direction towards the sun, even if the key light is the moon.
-    glm::vec3 true_sun_direction{0, 1, 0};
-};
-
 /// Returns the parameters that depend on the frame alone; the others keep their defaults.
 SeaFacts facts_of(const Frame& frame);
 
-/// Parameters of a floor that the renderer keeps after the upload.
-struct FloorFacts {
-    int columns = 0, rows = 0;  ///< 0 for an even floor
-    glm::dvec2 corner_m{};
-    double metres_a_texel = 1;
-    bool is_sand = true;
-    glm::vec3 albedo{};
-};
-
 /// Parameters of caustics that the renderer keeps after the upload.
 struct CausticFacts {
-    double side_m = 0;  ///< 0 if the application has set no caustics
-    double cosine = 1, sine = 0, depth_m = 6;
+    CascadeGrid grid;  ///< side_m is 0 if the application has set no caustics
+    double depth_m = 6;
 };
 
 /// Returns the number of cells along x and z of the floor mesh, without the far cells around them.
-glm::ivec2 floor_cells(const FloorFacts& floor);
+glm::ivec2 floor_cells(const SeaFloor& floor);
 
 struct DrawInput;
 /// Computes the uniform block, except for the members that place_below() sets.
@@ -156,8 +137,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const Wat
 /// Sets the light through crests, from sun and sky of the block.
 /// \param gain  factor; 1 is true to nature
 void place_crest_light(SceneBlock& block, float gain);
-/// Sets the members for rendering below the surface: lens, floor and caustics.
-void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
+/// Sets the members for rendering below the surface: lens, floor (without its heights) and caustics.
+void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const SeaFloor& floor,
                  const CausticFacts& caustics);
 /// Sets the members for the interiors of hulls, from the exclusions of the input.
 /// \pre check(input.exclusions, maps.size()) is empty

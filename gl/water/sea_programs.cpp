@@ -6,6 +6,13 @@ namespace pelagic::gl {
 
 static_assert(unit_count == texture_units, "an application gets back what it had in each of them");
 
+/// By Unit.
+constexpr const char* samplers[unit_count] = {
+    "displacement",  "slopes",        "moments",        "detail",
+    "sky",           "floor_heights", "caustics",       "foam_structure",
+    "snapshots",     "flow",          "scene_radiance", "scene_depth",
+    "shore_weights", "shore_water",   "shore_reach",    "dynamic_waves_texels"};
+
 std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     const auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };
     std::string defines = "#define CASCADES " + number(variant.cascades) + "\n#define SHADING " +
@@ -33,22 +40,7 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     : program(gl, files.vertex, files.fragment, files.defines) {
     gl.UseProgram(program.name());
     gl.UniformBlockBinding(program.name(), gl.GetUniformBlockIndex(program.name(), "Scene"), 0);
-    gl.Uniform1i(program.uniform("displacement"), displacement_unit);
-    gl.Uniform1i(program.uniform("slopes"), slopes_unit);
-    gl.Uniform1i(program.uniform("moments"), moments_unit);
-    gl.Uniform1i(program.uniform("detail"), detail_unit);
-    gl.Uniform1i(program.uniform("sky"), sky_unit);
-    gl.Uniform1i(program.uniform("floor_heights"), floor_unit);
-    gl.Uniform1i(program.uniform("caustics"), caustics_unit);
-    gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
-    gl.Uniform1i(program.uniform("snapshots"), snapshots_unit);
-    gl.Uniform1i(program.uniform("flow"), flow_unit);
-    gl.Uniform1i(program.uniform("scene_radiance"), scene_radiance_unit);
-    gl.Uniform1i(program.uniform("scene_depth"), scene_depth_unit);
-    gl.Uniform1i(program.uniform("shore_weights"), shore_weights_unit);
-    gl.Uniform1i(program.uniform("shore_water"), shore_water_unit);
-    gl.Uniform1i(program.uniform("shore_reach"), shore_reach_unit);
-    gl.Uniform1i(program.uniform("dynamic_waves_texels"), dynamic_waves_unit);
+    for (GLint unit = 0; unit < unit_count; ++unit) gl.Uniform1i(program.uniform(samplers[unit]), unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");
 }

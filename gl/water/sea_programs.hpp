@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <string>
 
 #include "pelagic/gl/program.hpp"
@@ -53,6 +54,8 @@ struct SeaVariant {
     bool dynamic_waves = false;  ///< the frame has a dynamic-wave grid
     /// An open sea has a shore: cascades are attenuated there, and shore waves are added.
     bool shore = false;
+
+    auto operator<=>(const SeaVariant&) const = default;
 };
 
 /// Returns the files of the patch, skirt, background, wireframe and floor programs, in this order.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <map>
 #include <stdexcept>
 #include <string>
 
 #include "pelagic/gl/gl_state_guard.hpp"
+#include "pelagic/gl/software_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/gl/water/detail_image.hpp"
 #include "pelagic/gl/water/dynamic_wave_textures.hpp"
@@ -23,39 +25,56 @@
 namespace pelagic::gl {
 namespace {
 
-Texture make_detail_texture(const Functions& gl) {
-    const DetailImage image = make_detail_image();
+/// Makes a texture without texels, with linear filtering within and between its levels, and leaves it
+/// bound.
+/// \param layers  of an array; 0: no array
+Texture make_texture(const Functions& gl, GLenum kind, GLenum format, int levels, int width, int height,
+                     int layers = 0) {
     Texture texture(gl);
-    gl.BindTexture(GL_TEXTURE_2D, texture.name());
-    gl.TexStorage2D(GL_TEXTURE_2D, DetailImage::levels, GL_RGBA8, DetailImage::side, DetailImage::side);
+    gl.BindTexture(kind, texture.name());
+    if (layers > 0)
+        gl.TexStorage3D(kind, levels, format, width, height, layers);
+    else
+        gl.TexStorage2D(kind, levels, format, width, height);
+    gl.TexParameteri(kind, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    return texture;
+}
+
+/// Uploads all levels of the bound texture of half floats.
+void upload_halves(const Functions& gl, int levels, int width, int height, const std::uint16_t* halves) {
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    for (int level = 0; level < levels; ++level) {
+        const int columns = std::max(width >> level, 1), rows = std::max(height >> level, 1);
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, columns, rows, GL_RED, GL_HALF_FLOAT, halves);
+        halves += static_cast<std::ptrdiff_t>(columns) * rows;
+    }
+}
+
+Texture make_detail_texture(const Functions& gl) {
+    constexpr int side = DetailImage::side;
+    const DetailImage image = make_detail_image();
+    Texture texture = make_texture(gl, GL_TEXTURE_2D, GL_RGBA8, DetailImage::levels, side, side);
     for (int level = 0; level < DetailImage::levels; ++level)
-        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, DetailImage::side >> level, DetailImage::side >> level, GL_RGBA,
-                         GL_UNSIGNED_BYTE, image.level(level));
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, side >> level, side >> level, GL_RGBA, GL_UNSIGNED_BYTE,
+                         image.level(level));
     return texture;
 }
 
 Texture make_foam_texture(const Functions& gl, Executor& executor) {
+    constexpr int side = FoamImage::side, layers = FoamImage::layers;
     const FoamImage image = make_foam_image(executor);
-    Texture texture(gl);
-    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
-    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, FoamImage::levels, GL_RGBA8, FoamImage::side, FoamImage::side,
-                    FoamImage::layers);
+    Texture texture = make_texture(gl, GL_TEXTURE_2D_ARRAY, GL_RGBA8, FoamImage::levels, side, side, layers);
     for (int level = 0; level < FoamImage::levels; ++level)
-        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, FoamImage::side >> level, FoamImage::side >> level,
-                         FoamImage::layers, GL_RGBA, GL_UNSIGNED_BYTE, image.level(level));
-    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side >> level, side >> level, layers, GL_RGBA,
+                         GL_UNSIGNED_BYTE, image.level(level));
     return texture;
 }
 
 Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
-    Texture texture(gl);
-    gl.BindTexture(GL_TEXTURE_2D, texture.name());
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG8, map.side, map.side);
+    Texture texture = make_texture(gl, GL_TEXTURE_2D, GL_RG8, 1, map.side, map.side);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, map.side, map.side, GL_RG, GL_UNSIGNED_BYTE, map.velocities.data());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     return texture;
 }
 
@@ -66,10 +85,8 @@ Texture make_exclusion_texture(const Functions& gl, std::span<const ExclusionMap
         columns = std::max(columns, map.columns() + 2);
         rows = std::max(rows, map.rows() + 2);
     }
-    Texture texture(gl);
-    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
-    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, 1, GL_RGBA16F, columns, rows, static_cast<GLsizei>(maps.size()));
-    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    Texture texture =
+        make_texture(gl, GL_TEXTURE_2D_ARRAY, GL_RGBA16F, 1, columns, rows, static_cast<int>(maps.size()));
     std::vector<std::uint16_t> halves;
     for (std::size_t layer = 0; layer < maps.size(); ++layer) {
         halves.clear();
@@ -100,16 +117,25 @@ const RendererOptions& checked_renderer_options(const RendererOptions& options) 
 
 }  // namespace
 
+glm::dvec3 DrawInput::viewer() const {
+    if (viewer_m) return *viewer_m;
+    glm::dvec3 sum(0);
+    for (const Eye& eye : eyes) sum += eye.position_m;
+    return sum / static_cast<double>(eyes.size());
+}
+
 struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions),
           options(checked_renderer_options(wanted)),
           textures(functions, wanted.resolution, wanted.cascades),
           dynamic_waves(functions),
-          shore(functions) {
+          shore(functions),
+          is_software(is_software_renderer(reinterpret_cast<const char*>(functions.GetString(GL_RENDERER)))) {
         const GlStateGuard keep(gl);
-        choose_programs({.dynamic_waves = options.dynamic_waves});
-        buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
+        SeaVariant plain = variant();
+        plain.dynamic_waves = options.dynamic_waves;
+        programs_for(plain);
         detail = make_detail_texture(gl);
         foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
         if (options.surface == Surface::river) {
@@ -153,29 +179,17 @@ struct SeaRenderer::State {
         statistics.draw_driver_ms += counts.driver_ms;
     }
 
-    /// Optional features of a draw. Features that are off cost no time per pixel.
-    struct Extras {
-        bool below = false;  ///< a floor is visible, or a lens is near the water
-        bool mirrors_scene = false;
-        bool dynamic_waves = false;
-        bool shore = false;
-    };
+    /// Returns the variant without the features that depend on the draw, which cost time per pixel.
+    SeaVariant variant() const {
+        return {.cascades = options.cascades,
+                .shading = options.shading,
+                .surface = options.surface,
+                .multiview = options.multiview};
+    }
 
-    /// Selects the programs for a set of features and compiles them at the first use.
-    void choose_programs(const Extras& with) {
-        const auto index = [](bool wanted) { return std::size_t{wanted ? 1u : 0u}; };
-        std::unique_ptr<SeaPrograms>& chosen =
-            all_programs[index(with.below)][index(with.mirrors_scene)][index(with.dynamic_waves)][index(with.shore)];
-        if (!chosen)
-            chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.cascades = options.cascades,
-                                                                  .shading = options.shading,
-                                                                  .surface = options.surface,
-                                                                  .multiview = options.multiview,
-                                                                  .below = with.below,
-                                                                  .mirrors_scene = with.mirrors_scene,
-                                                                  .dynamic_waves = with.dynamic_waves,
-                                                                  .shore = with.shore});
-        programs = chosen.get();
+    /// Returns the programs of a variant. Compiles them at the first use.
+    SeaPrograms& programs_for(const SeaVariant& wanted) {
+        return programs_by_variant.try_emplace(wanted, gl, wanted).first->second;
     }
 
     /// Draws the floor as strips of a grid that the vertex shader generates. From the air it is
@@ -191,7 +205,7 @@ struct SeaRenderer::State {
     }
 
     void draw_shaded(const DrawInput& input, int eye) {
-        if (lens_is_wet || floor_facts.columns > 0) draw_floor(eye);
+        if (lens_is_wet || !floor_facts.is_even()) draw_floor(eye);
         // Boats are near, and water that they leave hides the water behind it.
         if (has_exclusions && !split.touching().empty()) {
             programs->patches_with(gl, input.exclusions.size()).use(gl, eye);
@@ -211,6 +225,15 @@ struct SeaRenderer::State {
         statistics.draw_driver_ms += driver.milliseconds();
         gl.DepthMask(GL_TRUE);
         ++statistics.sky_calls;
+    }
+
+    void draw_spray(const DrawInput& input, const SceneBlock& block, int eye) {
+        const bool soft = input.spray.scene_depth != 0 && input.eyes.size() == 1 && !options.multiview;
+        gl.ActiveTexture(GL_TEXTURE0 + scene_depth_unit);
+        gl.BindTexture(GL_TEXTURE_2D, input.spray.scene_depth);
+        const Stopwatch driver;
+        spray->draw(eye, soft, sample_weight_of_spray(block));
+        statistics.draw_driver_ms += driver.milliseconds();
     }
 
     /// Returns whether an eye is inside an excluded interior.
@@ -260,17 +283,18 @@ struct SeaRenderer::State {
     FrameTextures textures;
     DynamicWaveTextures dynamic_waves;
     ShoreTextures shore;
+    bool is_software;
     SeaFacts facts;
-    /// Indexed by Extras: below, mirrors_scene, dynamic_waves, shore.
-    std::array<std::array<std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2>, 2>, 2> all_programs;
+    std::map<SeaVariant, SeaPrograms> programs_by_variant;
     SeaPrograms* programs = nullptr;  ///< programs of the current draw()
-    std::unique_ptr<PatchBuffers> buffers;
+    std::optional<PatchBuffers> buffers;  ///< of the last draw list's V
     Texture detail, foam, sky, floor, caustics, flow, exclusions;
     std::vector<ExclusionMap> exclusion_maps;
     bool has_exclusions = false;  ///< the current draw() leaves out the interiors of hulls
     PatchSplit split;             ///< of that draw()
     FrameBounds bounds;           ///< of the uploaded frame
-    FloorFacts floor_facts;
+    SeaFloor floor_facts;         ///< without heights, which are in the texture
+    double focus_depth_m = 0;     ///< of caustics on a height field
     CausticFacts caustic_facts;
     bool lens_is_wet = false;  ///< of the current pass
     FlowExtent flow_extent;
@@ -279,15 +303,7 @@ struct SeaRenderer::State {
     WaterOptics water = water_optics(default_jerlov_type);
     VertexArray empty;
     Buffer scene;
-    std::optional<SprayRenderer> spray;  ///< created by the first draw_spray()
-    /// View of the last draw(), for spray.
-    struct View {
-        std::array<Viewport, 2> viewports;
-        std::size_t eyes = 0;
-        glm::dvec3 viewer_m{};
-        bool is_under_water = false;
-        float sample_weight = 1;
-    } view;
+    std::optional<SprayRenderer> spray;  ///< created by the first draw() with spray
     DrawStatistics statistics;
 };
 
@@ -307,10 +323,7 @@ void SeaRenderer::set_sky(const Sky& sky) {
     const GlStateGuard keep(gl);
     gl.ActiveTexture(GL_TEXTURE0 + sky_unit);
     if (s.sky_face_size != sky.face_size) {
-        s.sky = Texture(gl);
-        gl.BindTexture(GL_TEXTURE_CUBE_MAP, s.sky.name());
-        gl.TexStorage2D(GL_TEXTURE_CUBE_MAP, sky.levels, GL_RGBA16F, sky.face_size, sky.face_size);
-        gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        s.sky = make_texture(gl, GL_TEXTURE_CUBE_MAP, GL_RGBA16F, sky.levels, sky.face_size, sky.face_size);
         s.sky_face_size = sky.face_size;
     }
     gl.BindTexture(GL_TEXTURE_CUBE_MAP, s.sky.name());
@@ -319,23 +332,10 @@ void SeaRenderer::set_sky(const Sky& sky) {
             gl.TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                              sky.face_size >> level, sky.face_size >> level, GL_RGBA, GL_HALF_FLOAT,
                              sky.face(level, face).data());
-    s.light = {.levels = sky.levels,
-               .sun_direction = sky.sun_direction,
-               .sun_irradiance = sky.sun_irradiance,
-               .sky_irradiance = sky.sky_irradiance,
-               .haze_per_m = sky.haze_per_m,
-               .exposure = sky.exposure,
-               .unit = sky.unit,
-               .key_is_moon = sky.key_is_moon,
-               .true_sun_direction = sun_direction(sky.options)};
+    s.light = sky;
 }
 
-void SeaRenderer::set_patch_vertices(int patch_vertices) {
-    if (patch_vertices == state_->options.patch_vertices) return;
-    const GlStateGuard keep(state_->gl);
-    state_->buffers = std::make_unique<PatchBuffers>(state_->gl, patch_vertices);
-    state_->options.patch_vertices = patch_vertices;
-}
+void SeaRenderer::set_shading(Shading shading) { state_->options.shading = shading; }
 
 void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }
 
@@ -343,31 +343,18 @@ void SeaRenderer::set_floor(const SeaFloor& floor) {
     require(check(floor));
     State& s = *state_;
     const Functions& gl = s.gl;
-    s.floor_facts = {.columns = floor.columns,
-                     .rows = floor.rows,
-                     .corner_m = floor.corner_m,
-                     .metres_a_texel = floor.metres_a_texel,
-                     .is_sand = floor.is_sand,
-                     .albedo = floor.albedo};
+    s.floor_facts = floor;
+    s.floor_facts.heights_m = {};
+    s.focus_depth_m = caustics_depth_m(floor, 0);
     s.floor.reset();
     if (floor.is_even()) return;
     const GlStateGuard keep(gl);
     const FloorTexels texels = texels_of(floor);
-    s.floor = Texture(gl);
     gl.ActiveTexture(GL_TEXTURE0 + floor_unit);
-    gl.BindTexture(GL_TEXTURE_2D, s.floor.name());
-    gl.TexStorage2D(GL_TEXTURE_2D, texels.levels, GL_R16F, floor.columns, floor.rows);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    s.floor = make_texture(gl, GL_TEXTURE_2D, GL_R16F, texels.levels, floor.columns, floor.rows);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
-    const std::uint16_t* level_halves = texels.halves.data();
-    for (int level = 0; level < texels.levels; ++level) {
-        const int columns = std::max(floor.columns >> level, 1), rows = std::max(floor.rows >> level, 1);
-        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, columns, rows, GL_RED, GL_HALF_FLOAT, level_halves);
-        level_halves += static_cast<std::ptrdiff_t>(columns) * rows;
-    }
+    upload_halves(gl, texels.levels, floor.columns, floor.rows, texels.halves.data());
 }
 
 void SeaRenderer::set_exclusion_maps(std::span<const ExclusionMap> maps) {
@@ -385,24 +372,20 @@ void SeaRenderer::set_caustics(const Caustics& caustics) {
     const Functions& gl = s.gl;
     const GlStateGuard keep(gl);
     gl.ActiveTexture(GL_TEXTURE0 + caustics_unit);
-    const bool is_first = s.caustics.name() == 0;
-    if (is_first) s.caustics = Texture(gl);
+    constexpr int side = Caustics::side, levels = Caustics::levels;
+    if (s.caustics.name() == 0) s.caustics = make_texture(gl, GL_TEXTURE_2D, GL_R16F, levels, side, side);
     gl.BindTexture(GL_TEXTURE_2D, s.caustics.name());
-    if (is_first) {
-        gl.TexStorage2D(GL_TEXTURE_2D, Caustics::levels, GL_R16F, Caustics::side, Caustics::side);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-    }
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
-    const std::uint16_t* halves = caustics.halves.data();
-    for (int level = 0; level < Caustics::levels; ++level) {
-        const int side = Caustics::side >> level;
-        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, side, side, GL_RED, GL_HALF_FLOAT, halves);
-        halves += side * side;
-    }
-    s.caustic_facts = {caustics.grid.side_m, caustics.grid.cosine, caustics.grid.sine, caustics.options.depth_m};
+    upload_halves(gl, levels, side, side, caustics.halves.data());
+    s.caustic_facts = {caustics.grid, caustics.options.depth_m};
+}
+
+std::optional<CausticsOptions> SeaRenderer::visible_caustics(double above_water_m) const {
+    constexpr double deepest_seen_m = 60, soon_m = 2;
+    const double sea_depth_m = state_->facts.sea.depth_m;
+    const bool is_even = state_->floor_facts.is_even();
+    if (is_even && sea_depth_m >= deepest_seen_m && above_water_m >= soon_m) return {};
+    return CausticsOptions{.depth_m = is_even ? caustics_depth_m({}, sea_depth_m) : state_->focus_depth_m,
+                           .sun = sun_direction(state_->light.options)};
 }
 
 std::span<const TextureTargets> SeaRenderer::map_textures() { return state_->textures.map(); }
@@ -413,6 +396,9 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->textures.upload(frame);
     state_->shore.upload(frame.shore);
     state_->dynamic_waves.upload(frame.dynamic_waves);
+    const Stopwatch finish;
+    if (state_->is_software) state_->gl.Finish();
+    const double finish_ms = finish.milliseconds();
     state_->facts = facts_of(frame);
     state_->bounds = frame.bounds;
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
@@ -422,8 +408,8 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->facts.surface = state_->options.surface;
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->statistics.upload_ms = all.milliseconds();
-    state_->statistics.upload_driver_ms =
-        state_->textures.last_driver_ms() + state_->dynamic_waves.last_driver_ms() + state_->shore.last_driver_ms();
+    state_->statistics.upload_driver_ms = finish_ms + state_->textures.last_driver_ms() +
+                                          state_->dynamic_waves.last_driver_ms() + state_->shore.last_driver_ms();
     state_->statistics.upload_bytes =
         state_->textures.uploaded_bytes() + state_->dynamic_waves.uploaded_bytes() + state_->shore.uploaded_bytes();
 }
@@ -450,14 +436,17 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     block.lens = lenses[0];
     const bool mirrors_scene = input.application_scene && input.eyes.size() == 1 && !s.options.multiview &&
                                s.options.shading != Shading::headset;
-    s.choose_programs(
-        {.below = lenses[0].w > 0 || lenses[1].w > 0 || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
-         .mirrors_scene = mirrors_scene,
-         .dynamic_waves = s.facts.dynamic_waves.resolution > 0,
-         .shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open});
+    SeaVariant variant = s.variant();
+    variant.below = lenses[0].w > 0 || lenses[1].w > 0 || block.floor_albedo.w > 0 || !s.floor_facts.is_even();
+    variant.mirrors_scene = mirrors_scene;
+    variant.dynamic_waves = s.facts.dynamic_waves.resolution > 0;
+    variant.shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open;
+    s.programs = &s.programs_for(variant);
     s.upload(block);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
     s.split_patches(input);
+    if (const int vertices = input.list->grid.vertices; !s.buffers || s.buffers->vertices() != vertices)
+        s.buffers.emplace(gl, vertices);
     statistics.instance_bytes =
         s.buffers->upload(s.has_exclusions ? s.split.instances() : input.list->instances, input.list->skirt);
     s.bind_textures(mirrors_scene ? *input.application_scene : ApplicationScene{});
@@ -466,14 +455,15 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);
 
-    s.view.eyes = input.eyes.size();
-    s.view.viewer_m = input.viewer_m;
-    s.view.is_under_water = input.camera_water_plane && input.viewer_m.y < input.camera_water_plane->height_m &&
-                            !s.is_inside(input, input.eyes[0]);
-    s.view.sample_weight = sample_weight_of_spray(block);
+    const glm::dvec3 viewer_m = input.viewer();
+    const bool is_under_water = input.camera_water_plane && viewer_m.y < input.camera_water_plane->height_m &&
+                                !s.is_inside(input, input.eyes[0]);
+    const bool draws_spray = !input.spray.droplets.empty() && !is_under_water;
+    if (draws_spray && !s.spray) s.spray.emplace(gl, s.options.multiview);
+    if (draws_spray) s.spray->upload(input.spray.droplets, viewer_m);
     const std::size_t passes = s.options.multiview ? 1 : input.eyes.size();
     for (std::size_t eye = 0; eye < passes; ++eye) {
-        const Viewport& view = s.view.viewports[eye] = input.eyes[eye].viewport;
+        const Viewport& view = input.eyes[eye].viewport;
         gl.Viewport(view.x, view.y, view.width, view.height);
         if (lenses[eye] != block.lens) {
             block.lens = lenses[eye];
@@ -484,30 +474,10 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
             s.draw_wireframe(input, static_cast<int>(eye));
         else
             s.draw_shaded(input, static_cast<int>(eye));
+        if (draws_spray) s.draw_spray(input, block, static_cast<int>(eye));
     }
     statistics.draw_ms = all.milliseconds();
     return statistics;
-}
-
-void SeaRenderer::draw_spray(const SprayInput& input) {
-    State& s = *state_;
-    const Functions& gl = s.gl;
-    assert(s.view.eyes > 0 && "draw() first");
-    if (input.droplets.empty() || s.view.is_under_water) return;
-    const GlStateGuard keep(gl);
-    if (!s.spray) s.spray.emplace(gl, s.options.multiview);
-    s.spray->upload(input.droplets, s.view.viewer_m);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
-    s.bind_textures({.depth = input.scene_depth});
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_LEQUAL);
-    const std::size_t passes = s.options.multiview ? 1 : s.view.eyes;
-    const bool soft = input.scene_depth != 0 && s.view.eyes == 1 && !s.options.multiview;
-    for (std::size_t eye = 0; eye < passes; ++eye) {
-        const Viewport& view = s.view.viewports[eye];
-        gl.Viewport(view.x, view.y, view.width, view.height);
-        s.spray->draw(static_cast<int>(eye), soft, s.view.sample_weight);
-    }
 }
 
 const FrameTextures& SeaRenderer::textures() const { return state_->textures; }

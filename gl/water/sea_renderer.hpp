@@ -2,12 +2,12 @@
 // one or two eyes.
 //
 //   // The ocean is built with OceanOptions::slopes and ::foam.
-//   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
-//                             .resolution = ocean.resolution(),
-//                             .cascades = ocean.cascade_count()});
+//   SeaRenderer renderer(gl, {.resolution = ocean.resolution(), .cascades = ocean.cascade_count()});
 //   renderer.set_sky(baker.complete());
 //   each frame:  renderer.upload(ocean.complete());
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
+//
+// SeaPass (sea_pass.hpp) makes these calls for an application.
 //
 // Foam comes from the snapshots of the frame's cascades (sim/snapshot_foam.hpp). Frames of an ocean
 // without OceanOptions::foam have no foam. If a frame has a dynamic-wave grid
@@ -46,7 +46,6 @@
 namespace pelagic::gl {
 
 struct RendererOptions {
-    int patch_vertices = 64;   ///< V of the draw lists
     int resolution = 256;      ///< N of the frames' cascades
     std::size_t cascades = 1;  ///< number of cascades of the frames, 1 to 4
     Shading shading = Shading::high;
@@ -68,12 +67,23 @@ inline constexpr float max_crest_glow = 10;
 
 enum class DrawMode { shaded, wireframe };
 
+/// Spray that is drawn over sea and sky. Droplets are hidden by the framebuffer's depths and write
+/// none, so other transparent objects may be drawn before or after them. Nothing is drawn for a lens
+/// under water.
+struct SprayInput {
+    std::span<const SprayDroplet> droplets = {};  ///< the first 8192 are drawn
+    /// Depth of the scene in the eye's projection, 1 where it is empty, as
+    /// ApplicationScene::depth. Droplets fade where they meet its surfaces. If 0, or with two eyes
+    /// or multiview, surfaces in the framebuffer cut them.
+    GLuint scene_depth = 0;
+};
+
 struct DrawInput {
     std::span<const Eye> eyes;  ///< one or two
-    /// Viewer of the quadtree selection. Positions in the shaders are relative to it.
-    glm::dvec3 viewer_m{};
-    const DrawList* list = nullptr;
-    double lod_scale = 2.2;  ///< tau of the selection; selects the mip of the displacement
+    /// Viewer of the quadtree selection; default: the middle of the eyes. Eyes of separate draws
+    /// need the same viewer. Positions in the shaders are relative to it.
+    std::optional<glm::dvec3> viewer_m = {};
+    const DrawList* list = nullptr;  ///< set by SeaPass
     DrawMode mode = DrawMode::shaded;
     bool draws_sky = true;
     /// Factor applied to radiance before the tone curve. If empty, the sky's exposure is used.
@@ -86,7 +96,7 @@ struct DrawInput {
     /// is 1, and samples average to true radiance.
     bool weighs_samples = false;
     /// Water surface at the viewer, for lenses near the water or within it. Pixels below it show
-    /// the underwater view. If empty, all pixels are rendered as seen from the air.
+    /// the underwater view. If empty, all pixels are rendered as seen from the air. Set by SeaPass.
     std::optional<CameraWaterPlane> camera_water_plane = {};
     /// Scene that waves reflect besides the sky, where reflected rays hit it within the image. It
     /// needs one eye. With two eyes, multiview or Shading::headset only the sky is reflected.
@@ -95,14 +105,10 @@ struct DrawInput {
     /// an eye inside sees no underwater view. Where the boxes around three interiors overlap, the
     /// first two count. Ignored beyond the selection's square and in DrawMode::wireframe.
     std::span<const Exclusion> exclusions = {};
-};
+    SprayInput spray = {};
 
-struct SprayInput {
-    std::span<const SprayDroplet> droplets;  ///< the first 8192 are drawn
-    /// Depth of the scene in the eye's projection, 1 where it is empty, as
-    /// ApplicationScene::depth. Droplets fade where they meet its surfaces. If 0, or with two eyes
-    /// or multiview, surfaces in the framebuffer cut them.
-    GLuint scene_depth = 0;
+    /// Returns viewer_m or its default.
+    glm::dvec3 viewer() const;
 };
 
 /// Statistics of the last draw().
@@ -114,6 +120,7 @@ struct DrawStatistics {
     std::size_t instance_bytes = 0;
     /// Time on the calling thread in draw() and in the last upload(). The driver_ms members count
     /// only GL calls that draw or copy texels; a software driver does that work within these calls.
+    double select_ms = 0;  ///< of the selection, by SeaPass
     double draw_ms = 0, draw_driver_ms = 0;
     double upload_ms = 0, upload_driver_ms = 0;
     std::size_t upload_bytes = 0;
@@ -143,13 +150,14 @@ class SeaRenderer {
     /// Programs for exclusions are compiled when the first is drawn.
     /// \throws std::invalid_argument  if there are more than max_exclusion_maps
     void set_exclusion_maps(std::span<const ExclusionMap> maps);
-    /// Sets V of the draw lists and rebuilds the meshes. Shaders and textures are kept.
-    void set_patch_vertices(int patch_vertices);
+    /// Sets the shading of the next draw() calls. Programs are compiled when they first draw.
+    void set_shading(Shading shading);
     /// Sets the flow of a river. The default is winding_channel().
     /// \throws std::invalid_argument  with the text of check(map)
     void set_flow(const FlowMap& map);
     /// Uploads the frame for the next draw() calls. The frame's views may become invalid
-    /// afterwards.
+    /// afterwards. On a software driver it waits for the driver's threads, because vertex shaders
+    /// would read mip levels before they are written.
     ///
     /// Throws the exceptions of FrameTextures::upload() and ShoreTextures::upload(), and
     /// std::invalid_argument for a Frame::dynamic_waves that does not fit a texture. After an
@@ -158,18 +166,15 @@ class SeaRenderer {
     /// Returns targets to which Ocean::schedule() can write the textures of the next uploaded
     /// frame, which saves a copy (FrameTextures::map()). Call it before Ocean::schedule().
     std::span<const TextureTargets> map_textures();
+    /// Returns the options of the uploaded frame's caustics under the sky's sun, or nothing if no
+    /// caustics can be visible: the viewer is high above the water and no floor is in sight.
+    /// \param above_water_m  height of the viewer above the surface below it
+    std::optional<CausticsOptions> visible_caustics(double above_water_m) const;
     /// Draws the uploaded frame and returns the statistics of this call.
     /// \throws std::invalid_argument  with the text of check(input.exclusions, number of maps);
     ///     nothing is drawn
-    /// \pre upload() and set_sky() have been called; all pointers are set; patches have
-    ///     options.patch_vertices
+    /// \pre upload() and set_sky() have been called; all pointers are set
     const DrawStatistics& draw(const DrawInput& input);
-
-    /// Draws spray over the image of the last draw(), with its eyes, light, exposure and kind of
-    /// pixels. Other transparent objects may be drawn before or after it. Droplets are hidden by
-    /// the framebuffer's depths and write none. Nothing is drawn for a lens under water.
-    /// \pre draw() has drawn the sea into the bound framebuffer
-    void draw_spray(const SprayInput& input);
 
     /// Returns the textures of the last uploaded frame.
     const FrameTextures& textures() const;

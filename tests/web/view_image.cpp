@@ -10,8 +10,7 @@
 
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/sky/light_presets.hpp"
-#include "pelagic/gl/water/sea_renderer.hpp"
-#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
@@ -40,38 +39,27 @@ void draw(const nlohmann::json& scene, const char* image) {
     const gl::HeadlessContext context;
     const gl::Functions& gl = context.functions();
     gl::RenderTarget target(gl, width, height, 4);
-    Selection selection(quadtree_preset_named(quality)->options(4096));
-    gl::SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
-                                  .resolution = ocean.resolution(),
-                                  .cascades = ocean.cascade_count(),
-                                  .shading = *value_named<gl::Shading>(shading)});
+    gl::SeaPass pass(gl,
+                     {.resolution = ocean.resolution(),
+                      .cascades = ocean.cascade_count(),
+                      .shading = *value_named<gl::Shading>(shading)},
+                     quadtree_preset_named(quality)->options(4096));
     const gl::LightPreset& light = *gl::light_preset_named(light_name);
     gl::SkyBaker baker(make_default_executor(), scene["skyFaceSize"]);
     baker.schedule(light.sky);
     const gl::Sky& sky = baker.complete();
-    renderer.set_sky(sky);
-    renderer.upload(frame);
-    gl.Finish();  // Mesa's threaded software driver may sample mips before they are written
+    pass.renderer().set_sky(sky);
+    pass.upload(frame);
 
     const nlohmann::json& from = scene["camera"];
     const Camera camera{.position_m = vector_in(from["position"]),
                         .target_m = vector_in(from["target"]),
                         .vertical_view_rad = from["verticalViewRad"]};
     std::vector<gl::Eye> eyes = {gl::eye_of(camera, {0, 0, width, height})};
-    if (const double apart_m = scene["eyesApartM"]; apart_m > 0) {
-        const gl::EyePair pair = gl::eyes_of(camera, {0, 0, width, height}, apart_m);
-        eyes = {pair.left, pair.right};
-    }
-    std::vector<glm::dmat4> views;
-    for (const gl::Eye& eye : eyes) views.push_back(eye.clip_from_world);
-    const DrawList& list = selection.select({.viewer_m = camera.position_m, .views = views, .bounds = frame.bounds});
-    target.bind();
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    renderer.draw({.eyes = eyes,
-                   .viewer_m = camera.position_m,
-                   .list = &list,
-                   .lod_scale = selection.options().lod_scale,
-                   .exposure = sky.exposure * std::exp2(light.bias_stops)});
+    if (const double apart_m = scene["eyesApartM"]; apart_m > 0)
+        eyes = gl::eyes_of(camera, {0, 0, width, height}, apart_m);
+    target.clear();
+    pass.draw({.eyes = eyes, .exposure = sky.exposure * std::exp2(light.bias_stops)});
     const std::vector<std::uint8_t> pixels = target.read();
     std::ofstream(image, std::ios::binary)
         .write(reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size()));

@@ -22,10 +22,8 @@
 #include "pelagic/gl/sky/sky_panorama.hpp"
 #include "pelagic/gl/software_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
-#include "pelagic/gl/water/camera_water_plane.hpp"
-#include "pelagic/gl/water/sea_renderer.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/message/one_line.hpp"
-#include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spray.hpp"
 #include "pelagic/tools/commands/command.hpp"
@@ -60,12 +58,6 @@ double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
     return values[values.size() / 2];
 }
-
-/// Times of each frame, and draw statistics of the last one.
-struct Measured {
-    std::vector<double> sea_ms, select_ms, upload_ms, upload_driver_ms, draw_ms, draw_driver_ms, image_ms;
-    gl::DrawStatistics last;
-};
 
 gl::Sky baked_sky(const SceneOptions& scene) {
     gl::SkyBaker baker(make_default_executor(scene.compute.threads), sky_face_size);
@@ -102,26 +94,25 @@ class OfflineRenderer {
                                                   .shore = options.scene.shore}),
           target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel,
                   options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
-          renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
-                                           .resolution = ocean_.resolution(),
-                                           .cascades = ocean_.cascade_count(),
-                                           .shading = options.scene.shading.value_or(gl::Shading::high),
-                                           .writes = gl::PixelKind::radiance,
-                                           .surface = options.scene.surface,
-                                           .executor = make_default_executor(options.scene.compute.threads),
-                                           .dynamic_waves = options.events.has_value()}),
-          selection_(options.scene.quadtree),
+          pass_(context_.functions(),
+                {.resolution = ocean_.resolution(),
+                 .cascades = ocean_.cascade_count(),
+                 .shading = options.scene.shading.value_or(gl::Shading::high),
+                 .writes = gl::PixelKind::radiance,
+                 .surface = options.scene.surface,
+                 .executor = make_default_executor(options.scene.compute.threads),
+                 .dynamic_waves = options.events.has_value()},
+                options.scene.quadtree, gl::CausticsBaking::before_drawn),
           luminance_of_unit_(sky.luminance_of_unit()),
-          unit_(sky.unit),
-          caustics_(make_default_executor(options.scene.compute.threads)) {
+          unit_(sky.unit) {
         if (const std::string name = context_.renderer_name();
             gl::is_software_renderer(name) && options.scene.quality != fastest_quality)
             progress.note(name + " draws without a graphics processor; --quality " + fastest_quality + " is faster");
         ocean_.set_water_frame(options.scene.water_frame);
-        renderer_.set_water(options.scene.water);
-        renderer_.set_floor(options.scene.floor);
-        if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
-        renderer_.set_sky(sky);
+        pass_.renderer().set_water(options.scene.water);
+        pass_.renderer().set_floor(options.scene.floor);
+        if (options.scene.flow) pass_.renderer().set_flow(*options.scene.flow);
+        pass_.renderer().set_sky(sky);
         if (has_spray(options)) {
             const double loop_s = options.scene.sea.sea.loop_period_s;
             spray_.emplace(SprayOptions{.loop_period_s = loop_s});
@@ -141,7 +132,6 @@ class OfflineRenderer {
             rock_->set_light(sky);
         }
         eyes_ = eyes_in(options.scene.width, options.scene.height);
-        for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
         if (options.wireframe || options.file.empty()) return;
         display_.emplace(context_.functions());
         screen_.emplace(context_.functions(), options.scene.width, options.scene.height, 0);
@@ -162,21 +152,18 @@ class OfflineRenderer {
         if (hull_) moment_ = hull_->at(time_s);
         Frame frame = ocean_.frame_at(time_s);
         if (player_) frame = with_water(frame, player_->at(time_s));
-        measured_.sea_ms.push_back(all.milliseconds());
+        sea_ms_.push_back(all.milliseconds());
 
-        const gl::Stopwatch select;
-        const DrawList& list = selected(frame);
-        measured_.select_ms.push_back(select.milliseconds());
-
+        pass_.upload(frame);
         if (!options_.hdr_file.empty()) {
-            note(draw(frame, list, eyes_, target_, false));
+            drawn_.push_back(draw(eyes_, target_, false));
             radiance_ = target_.read_radiance();
         }
         if (!options_.file.empty()) {
-            note(draw(frame, list, eyes_, target_, true));
+            drawn_.push_back(draw(eyes_, target_, true));
             pixels_ = options_.wireframe ? target_.read() : shown();
         }
-        measured_.image_ms.push_back(all.milliseconds());
+        image_ms_.push_back(all.milliseconds());
     }
 
     /// Returns RGBA8 pixels, top row first.
@@ -190,27 +177,32 @@ class OfflineRenderer {
     }
 
     Json statistics() const {
-        const gl::DrawStatistics& last = measured_.last;
+        const gl::DrawStatistics& last = drawn_.back();
+        const auto median_of = [&](double gl::DrawStatistics::*const ms) {
+            std::vector<double> values;
+            for (const gl::DrawStatistics& each : drawn_) values.push_back(each.*ms);
+            return median(std::move(values));
+        };
         const auto views = static_cast<int>(eyes_.size());
         Json json = {{"renderer", context_.renderer_name()},
-                     {"frames", measured_.sea_ms.size()},
+                     {"frames", sea_ms_.size()},
                      {"views", views},
                      {"sea_draw_calls", last.sea_calls},
                      {"sea_draw_calls_a_view", last.sea_calls / views},
                      {"sky_draw_calls", last.sky_calls},
                      {"triangles", last.triangles},
-                     {"patches", selection_.list().instances.size()},
+                     {"patches", pass_.selection().list().instances.size()},
                      {"uploaded_bytes", last.upload_bytes},
                      {"instance_bytes", last.instance_bytes},
                      {"spray_droplets", droplets_.size()},
                      {"median_ms",
-                      {{"sea", median(measured_.sea_ms)},
-                       {"select", median(measured_.select_ms)},
-                       {"upload", median(measured_.upload_ms)},
-                       {"upload_in_driver", median(measured_.upload_driver_ms)},
-                       {"draw", median(measured_.draw_ms)},
-                       {"draw_in_driver", median(measured_.draw_driver_ms)},
-                       {"image", median(measured_.image_ms)}}},
+                      {{"sea", median(sea_ms_)},
+                       {"select", median_of(&gl::DrawStatistics::select_ms)},
+                       {"upload", median_of(&gl::DrawStatistics::upload_ms)},
+                       {"upload_in_driver", median_of(&gl::DrawStatistics::upload_driver_ms)},
+                       {"draw", median_of(&gl::DrawStatistics::draw_ms)},
+                       {"draw_in_driver", median_of(&gl::DrawStatistics::draw_driver_ms)},
+                       {"image", median(image_ms_)}}},
                      {"exposure_ev", ev_}};
         if (moment_) json["hull"] = Json::parse(hull_row(time_s_, *moment_, true));
         return json;
@@ -221,42 +213,16 @@ class OfflineRenderer {
         return !options.wireframe && options.scene.has_spray(options.scene.shading.value_or(gl::Shading::high));
     }
 
-    const DrawList& selected(const Frame& frame) {
-        return selection_.select({.viewer_m = options_.scene.camera.position_m,
-                                  .views = views_,
-                                  .bounds = frame.bounds,
-                                  .sea_level_m = frame.water_frame.sea_level_m});
-    }
-
     std::vector<gl::Eye> eyes_in(int width, int height) const {
         const gl::Viewport whole{0, 0, width, height};
-        if (!options_.stereo) return {gl::eye_of(options_.scene.camera, whole)};
-        const gl::EyePair pair = gl::eyes_of(options_.scene.camera, whole, eye_distance_m);
-        return {pair.left, pair.right};
+        if (options_.stereo) return gl::eyes_of(options_.scene.camera, whole, eye_distance_m);
+        return {gl::eye_of(options_.scene.camera, whole)};
     }
 
-    /// \param weighs_samples  true: weight the samples of a pixel for display, see gl::SeaRenderer;
+    /// \param weighs_samples  true: weight the samples of a pixel for display, see gl::DrawInput;
     ///     false: the samples average to true radiance
-    const gl::DrawStatistics& draw(const Frame& frame, const DrawList& list, const std::vector<gl::Eye>& eyes,
-                                   gl::RenderTarget& target, bool weighs_samples) {
-        const gl::Functions& functions = context_.functions();
-        target.bind();
-        functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
-        functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        renderer_.upload(frame);
-        // A software driver processes vertices immediately, and would read mips of the displacement
-        // that its threads still generate.
-        functions.Finish();
-        const glm::dvec3 viewer = options_.scene.camera.position_m;
-        // Ponds and rivers are level, or nearly.
-        const gl::CameraWaterPlane water = options_.scene.surface == gl::Surface::open
-                                               ? gl::camera_water_plane(SurfaceQuery(frame), viewer)
-                                               : gl::CameraWaterPlane{.height_m = frame.water_frame.sea_level_m};
-        if (gl::shows_caustics(options_.scene.floor, frame.sea.depth_m, viewer.y - water.height_m)) {
-            caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
-                                       .sun = gl::sun_direction(options_.scene.sky)});
-            renderer_.set_caustics(caustics_.complete());
-        }
+    gl::DrawStatistics draw(const std::vector<gl::Eye>& eyes, gl::RenderTarget& target, bool weighs_samples) {
+        target.clear({0.004f, 0.008f, 0.016f});
         std::optional<gl::ApplicationScene> application_scene;
         if (rock_) {
             application_scene = rock_->image(eyes[0]);
@@ -267,27 +233,13 @@ class OfflineRenderer {
             application_scene = hull_mesh_->image(eyes[0], pose);
             hull_mesh_->draw(eyes[0], pose, weighs_samples ? exposure() : 0);
         }
-        const gl::DrawStatistics& drawn =
-            renderer_.draw({.eyes = eyes,
-                            .viewer_m = options_.scene.camera.position_m,
-                            .list = &list,
-                            .lod_scale = options_.scene.quadtree.lod_scale,
-                            .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
-                            .exposure = exposure(),
-                            .crest_glow = options_.scene.crest_glow,
-                            .weighs_samples = weighs_samples,
-                            .camera_water_plane = water,
-                            .application_scene = application_scene});
-        renderer_.draw_spray({.droplets = droplets_});
-        return drawn;
-    }
-
-    void note(const gl::DrawStatistics& statistics) {
-        measured_.upload_ms.push_back(statistics.upload_ms);
-        measured_.upload_driver_ms.push_back(statistics.upload_driver_ms);
-        measured_.draw_ms.push_back(statistics.draw_ms);
-        measured_.draw_driver_ms.push_back(statistics.draw_driver_ms);
-        measured_.last = statistics;
+        return pass_.draw({.eyes = eyes,
+                           .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+                           .exposure = exposure(),
+                           .crest_glow = options_.scene.crest_glow,
+                           .weighs_samples = weighs_samples,
+                           .application_scene = application_scene,
+                           .spray = {.droplets = droplets_}});
     }
 
     float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
@@ -299,9 +251,8 @@ class OfflineRenderer {
         const int width = std::min(options_.scene.width, metered_width);
         const int height = std::max(1, options_.scene.height * width / options_.scene.width);
         gl::RenderTarget small(context_.functions(), width, height, 0, gl::PixelKind::radiance);
-        const Frame& frame = ocean_.frame_at(0);
-        const DrawList& list = selected(frame);
-        draw(frame, list, eyes_in(width, height), small, true);
+        pass_.upload(ocean_.frame_at(0));
+        draw(eyes_in(width, height), small, true);
         gl::LightMeter meter(context_.functions());
         return gl::metered_ev(meter.measure(small.resolved()), luminance_of_unit_);
     }
@@ -322,24 +273,22 @@ class OfflineRenderer {
     Ocean ocean_;
     std::optional<EventPlayer> player_;  ///< of dynamic waves; none without --events
     gl::RenderTarget target_;
-    gl::SeaRenderer renderer_;
+    gl::SeaPass pass_;
     std::optional<Spray> spray_;
     std::span<const SprayDroplet> droplets_;  ///< of the frame; none when the exposure is metered
     std::optional<gl::Rock> rock_;
     std::optional<HullPlayer> hull_;
     std::optional<gl::LitMesh> hull_mesh_;
-    std::optional<HullMoment> moment_;  ///< of the frame; none when the exposure is metered
-    Selection selection_;
+    std::optional<HullMoment> moment_;    ///< of the frame; none when the exposure is metered
     std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out
     std::optional<gl::RenderTarget> screen_;
     float luminance_of_unit_, unit_, ev_ = 15;
-    gl::CausticsBaker caustics_;
     std::vector<std::uint8_t> pixels_;
     std::vector<float> radiance_;
     std::vector<gl::Eye> eyes_;
-    std::vector<glm::dmat4> views_;
     double time_s_ = 0;  ///< of the frame
-    Measured measured_;
+    std::vector<double> sea_ms_, image_ms_;  ///< of each frame
+    std::vector<gl::DrawStatistics> drawn_;
 };
 
 /// The images of one option, --out or --hdr; none if the option is not given.

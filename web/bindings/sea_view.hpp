@@ -1,4 +1,4 @@
-// A sea drawn on one GL context: ocean, quadtree, sky and renderer, on one thread.
+// A sea drawn on one GL context: ocean, sky and pass, on one thread.
 //
 //   SeaView view(functions, sea, {});
 //   view.set_light(sky);  while (!view.continue_baking(10)) draw a frame;
@@ -10,36 +10,28 @@
 #include <span>
 #include <string>
 
-#include "pelagic/gl/water/sea_renderer.hpp"
-#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
+#include "pelagic/jobs/sliced_executor.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::web {
 
 struct ViewOptions {
-    std::string quality = "high";               ///< of the quadtree: low, medium, high or ultra
+    std::string quality = "high";               ///< name of a quadtree preset
     double size_m = 4096;                       ///< side of the square with waves; [256, 8192]
     gl::Shading shading = gl::Shading::medium;  ///< cost of a pixel
     int sky_face_size = 256;                    ///< texels a side of the sky; 2^n, 16 to 2048
     bool foam = true;                           ///< 10 to 20 % of a frame
 };
 
-/// The light of the scene, for other objects that a page draws: irradiances in the sky's unit, and
-/// the factor of radiance.
-struct ShownLight {
-    glm::vec3 direction, sun_irradiance, sky_irradiance;
-    float exposure;
-};
-
 class SeaView {
    public:
     /// \pre the context of `gl` is current here and in all calls; `gl` outlives the view
     SeaView(const gl::Functions& gl, const SeaState& sea, const ViewOptions& options);
-    ~SeaView();
 
-    /// Replaces the sea from the next frame on. Throws std::invalid_argument and changes nothing
-    /// then.
+    /// Replaces the sea from the next frame on. Keeps the pass if resolution and number of cascades
+    /// are equal. Throws std::invalid_argument and changes nothing then.
     void set_sea(const SeaState& sea);
     /// Starts to bake a sky, which is drawn when it is complete. Replaces a sky that waits. Until
     /// the first sky is complete, a coarse sky without clouds is drawn. Throws
@@ -48,24 +40,44 @@ class SeaView {
     void set_light(const gl::SkyOptions& sky, float stops);
     /// Continues baking for about that time. Returns whether the sky is complete.
     bool continue_baking(double budget_ms);
-    bool has_sky() const;      ///< whether the sky of the last set_light() is drawn
-    ShownLight light() const;  ///< of the drawn sky
+    /// Returns whether the sky of the last set_light() is drawn.
+    bool has_sky() const { return !is_baking_ && !next_light_; }
+    /// Returns the light of the drawn sky, for other objects that a page draws.
+    const gl::SkyLight& light() const { return *sky_; }
+    /// Returns the factor of radiance under that sky.
+    float exposure() const;
 
     /// Computes a frame and uploads it.
-    const Frame& simulate(double time_s);
-    double simulate_ms() const;
-    /// Returns the frame of the last simulate(). \pre simulate() was called, also below
-    const Frame& frame() const;
-    const Ocean& ocean() const;
-    const gl::DrawStatistics& statistics() const;
+    void simulate(double time_s);
+    double simulate_ms() const { return simulate_ms_; }
+    /// Returns the frame of the last simulate(); null after set_sea().
+    const Frame* frame() const { return frame_; }
+    const Ocean& ocean() const { return *ocean_; }
+    const gl::DrawStatistics& statistics() const { return pass_->renderer().statistics(); }
 
     /// Clears the bound framebuffer and draws into it, with one selection of patches for all eyes.
+    /// \pre frame() is not null
     /// \param exposure  factor of radiance; none: the sky's
     void draw(std::span<const gl::Eye> eyes, std::optional<float> exposure);
 
    private:
-    struct State;
-    std::unique_ptr<State> state_;
+    void show(const gl::Sky& sky);
+
+    const gl::Functions& gl_;
+    ViewOptions options_;
+    QuadtreeOptions quadtree_;
+    std::shared_ptr<Executor> executor_ = make_serial_executor();
+    std::shared_ptr<SlicedExecutor> slices_ = make_sliced_executor();
+    std::unique_ptr<Ocean> ocean_;
+    gl::SkyBaker plain_, baker_;
+    std::optional<gl::SeaPass> pass_;
+    const gl::Sky* sky_ = nullptr;  ///< drawn by the pass
+    bool has_baked_ = false;        ///< a baked sky is drawn
+    bool is_baking_ = false;
+    std::optional<gl::SkyOptions> next_light_;  ///< to be baked next
+    float stops_ = 0;
+    const Frame* frame_ = nullptr;
+    double simulate_ms_ = 0;
 };
 
 }  // namespace pelagic::web

@@ -188,7 +188,6 @@ class BoundView {
     void set_sea(const val& options) {
         context_.make_current();
         view_->set_sea(sea_with({}, options));
-        is_simulated_ = false;
     }
     void set_light(const val& options) {
         context_.make_current();
@@ -205,7 +204,6 @@ class BoundView {
             throw std::invalid_argument(invalid_value_message("timeS", time_s, "a finite number"));
         context_.make_current();
         view_->simulate(time_s);
-        is_simulated_ = true;
     }
     double simulate_ms() { return view_->simulate_ms(); }
     double draw_ms() { return view_->statistics().draw_ms; }
@@ -247,12 +245,12 @@ class BoundView {
             for (int i = 0; i < 3; ++i) array.call<void>("push", v[i]);
             return array;
         };
-        const ShownLight light = view_->light();
+        const gl::SkyLight& light = view_->light();
         val info = val::object();
-        info.set("direction", array_of(light.direction));
+        info.set("direction", array_of(light.sun_direction));
         info.set("sunIrradiance", array_of(light.sun_irradiance));
         info.set("skyIrradiance", array_of(light.sky_irradiance));
-        info.set("exposure", light.exposure);
+        info.set("exposure", view_->exposure());
         return info;
     }
     val heights(const val& xz) {
@@ -285,13 +283,12 @@ class BoundView {
 
    private:
     const Frame& frame() const {
-        if (!is_simulated_) throw std::logic_error("there is no frame of this sea yet: simulate() first");
-        return view_->frame();
+        if (!view_->frame()) throw std::logic_error("there is no frame of this sea yet: simulate() first");
+        return *view_->frame();
     }
 
     CanvasContext context_;
     std::optional<SeaView> view_;
-    bool is_simulated_ = false;
 };
 
 BoundView* make_view(val options) {
