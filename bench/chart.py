@@ -29,7 +29,7 @@ INSET = 26  # offset of the first and the last N
 
 
 class Machine:
-    """A file of bench/results: frames of one cascade by instruction set and threads, ordered by N.
+    """A file of bench/results: frames by instruction set and threads, ordered by N.
     """
 
     def __init__(self, file):

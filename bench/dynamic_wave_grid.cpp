@@ -1,5 +1,5 @@
 // Benchmark of a tick of dynamic waves on one and two threads. Compares the spectral step with a
-// frame of one cascade of equal resolution, and the Verlet step with a scalar loop and with a copy
+// frame of equal resolution, and the Verlet step with a scalar loop and with a copy
 // of its inputs and outputs. Also measures grids with many boats.
 //
 //   build/release/bin/pelagic_dynamic_waves_bench [instruction set]

@@ -6,7 +6,7 @@
 //
 // Names are what/instruction set/N/points, or what/instruction set/cascades x N/points of the
 // default sea's cascades. Points are random over nine patches, or coherent: a grid of a quarter of
-// a texel, as under a hull. Choppiness is 1, and the wind of several cascades 12 m/s.
+// a texel, as under a hull. Choppiness is 1, and the default sea's wind 12 m/s.
 #include <benchmark/benchmark.h>
 
 #include <memory>

@@ -66,7 +66,7 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
     count(state, resolution, work);
 }
 
-/// Times several cascades, planned for the sea.
+/// Times cascades that are planned for the sea.
 void time_stack(benchmark::State& state, int cascades, Isa isa, int threads) {
     Ocean ocean({.cascades = cascades, .resolution = 128},
                 {.executor = threads == 1 ? make_serial_executor() : make_default_executor(threads), .isa = isa});

@@ -223,8 +223,7 @@ class OfEachCascade {
    public:
     /// Reads the array. Throws std::invalid_argument for null and a wrong struct_size.
     OfEachCascade(const Theirs* first, const std::string& name, std::size_t cascade_count) : count_(cascade_count) {
-        // Checked before reading beyond the first struct: an application for one cascade has only
-        // one.
+        // Checked before reading beyond the first struct: the application may have only one.
         struct_bytes(first, name.c_str());
         if (std::max(first->cascade_count, 1u) != count_)
             reject(invalid_value_message(name + ".cascade_count", first->cascade_count,

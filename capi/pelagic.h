@@ -186,7 +186,7 @@ typedef struct pelagic_sea {
      * patch_size_m. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
-    /* Wave model, PELAGIC_WAVES_... A pond has one cascade. Only a spectrum uses spectrum,
+    /* Wave model, PELAGIC_WAVES_... A pond has 1 cascade. Only a spectrum uses spectrum,
      * spreading, fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed; only the
      * other models use the fields below. */
     int32_t waves;
@@ -472,8 +472,8 @@ typedef struct pelagic_plane {
 } pelagic_plane;
 
 /* Extremes of displacements, for culling boxes. Those of a cascade are exact. Those of a frame are
- * the sums over its cascades: exact for one cascade, upper bounds for several, whose extremes need
- * not coincide. */
+ * the sums over its cascades, whose extremes need not coincide: upper bounds, exact if
+ * cascade_count is 1. */
 typedef struct pelagic_bounds {
     float height_min_m;
     float height_max_m;
@@ -499,8 +499,8 @@ typedef struct pelagic_frame {
     const uint16_t* displacement_rgba16f;
     /* A mipmap chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, in tight rows of
      * 4 bytes a texel: normal x, normal z, Jacobian, smoothness. GL_RGBA8,
-     * VK_FORMAT_R8G8B8A8_UNORM. Level m begins at texel gradient_offset[m]. NULL and no levels in a
-     * frame of several cascades, unless pelagic_ocean_options.gradients is set. */
+     * VK_FORMAT_R8G8B8A8_UNORM. Level m begins at texel gradient_offset[m]. NULL and no levels if
+     * absent, see pelagic_cascade. */
     const uint32_t* gradient_rgba8;
     int32_t gradient_levels;
     uint32_t gradient_offset[12];
@@ -611,7 +611,7 @@ typedef struct pelagic_cascade {
 PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s);
 
 /* Memory of the application, for instance a mapped pixel buffer, that receives the textures of a
- * cascade. Frames of several cascades need an array of these structs, as for pelagic_frame_buffers.
+ * cascade: an array of cascade_count structs, as for pelagic_frame_buffers.
  * A texture whose pointer is NULL is part of the frame. Each byte is written once, in rows of whole
  * registers, and never read, so the memory may be write-combined. */
 typedef struct pelagic_texture_targets {
@@ -658,7 +658,7 @@ PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_
  *   pelagic_ocean_destroy(). So it remains valid while the next frame is computed. */
 PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
 
-/* Writes the description of one cascade of the frame completed last, also while the next frame is
+/* Writes the description of a cascade of the frame completed last, also while the next frame is
  * computed.
  *
  * index: 0 is the coarsest cascade.
@@ -670,9 +670,9 @@ PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_
 PELAGIC_API pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, pelagic_cascade* cascade);
 
 /* Memory that receives the planes and textures of a cascade. A NULL pointer leaves that array out.
- * Counts are exact, in elements. Rows are tight: texel (i, j) is element j N + i. A frame of
- * several cascades needs an array of these structs, one for each cascade. All have the struct_size
- * of the first, whose cascade_count is their number. */
+ * Counts are exact, in elements. Rows are tight: texel (i, j) is element j N + i. A
+ * frame needs an array of these structs, one for each cascade. All have the struct_size of the
+ * first, whose cascade_count is their number. */
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
     uint32_t cascade_count; /* first struct: cascades of the frame, 0 for one; other structs: 0 */
@@ -1064,8 +1064,8 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_w
  * refraction. Queries and bounds include the effects.
  *
  * Beyond the rectangle the floor continues as at its nearest edge: dry ground stays dry, and the
- * sea is open where it is deep enough for its waves. The sea must have several cascades and cannot
- * change. */
+ * sea is open where it is deep enough for its waves. The sea must have at least two cascades and
+ * cannot change. */
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
     int32_t columns, rows; /* samples of the floor along x and z; 2 to 4096 */

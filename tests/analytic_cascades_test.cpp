@@ -58,7 +58,7 @@ struct Oracle {
     Long height = 0, dx = 0, dz = 0;
 };
 
-/// The waves of one cascade at the reference position of texel (i, j), from the definition: integer
+/// The waves of a cascade at the reference position of texel (i, j), from the definition: integer
 /// wave numbers and periods per loop.
 Oracle sum_of(const std::vector<GridWave>& waves, const SeaState& sea, const CascadePlan& cascade, Long time_s, int i,
               int j) {

@@ -1,4 +1,4 @@
-// Frames of several cascades through the C interface: the transform of each cascade, the meaning of
+// Cascades through the C interface: the transform of each cascade, the meaning of
 // its texels, and copies to an application's memory. The reference is the surface that the planes
 // describe: their Fourier series, summed directly in double.
 #include <algorithm>
@@ -449,7 +449,7 @@ TEST_F(CInterfaceCascades, AQueryReturnsTheDisplacedSumOfCascades) {
 
 // ---- An application's memory ------------------------------------------------------
 
-/// All data of one cascade of several.
+/// All data of a cascade of a stack.
 struct StackArrays {
     explicit StackArrays(std::size_t side)
         : planes(6, std::vector<float>(side * side)), halves(4 * side * side), chain((4 * side * side - 1) / 3) {

@@ -196,7 +196,7 @@ constexpr Named<pelagic_sea> sea_fields[] = {{"patch_size_m", &pelagic_sea::patc
 struct Kind {
     const char* name;
     std::int32_t waves, spectrum, spreading;
-    bool has_side = false;  ///< the side of its one cascade is given
+    bool has_side = false;  ///< its patch_size_m is given
     double swell_height_m = 0;
 };
 constexpr Kind kinds[] = {

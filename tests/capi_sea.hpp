@@ -18,7 +18,7 @@ T sized() {
     return value;
 }
 
-/// A sea of one cascade.
+/// A sea with cascades = 1.
 inline pelagic_sea small_sea(std::int32_t resolution = 16) {
     auto sea = sized<pelagic_sea>();
     EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
@@ -27,7 +27,7 @@ inline pelagic_sea small_sea(std::int32_t resolution = 16) {
     return sea;
 }
 
-/// A sea of several cascades.
+/// A sea with a stack of cascades.
 inline pelagic_sea stack_sea(std::int32_t cascades, std::int32_t resolution = 32) {
     auto sea = sized<pelagic_sea>();
     EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);

@@ -1,4 +1,4 @@
-// A hand-made frame of several cascades: frames of several one-cascade oceans, rotated against one
+// A hand-made stack of cascades: frames of oceans with a cascade each, rotated against one
 // another.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Queries of several cascades, compared with an exhaustive search in double.
+// Queries of stacks of cascades, compared with an exhaustive search in double.
 #include <gtest/gtest.h>
 
 #include <algorithm>

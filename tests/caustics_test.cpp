@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi, water_index = 1.333;
 
-/// One cascade whose height is a function of x, both in metres.
+/// A cascade whose height is a function of x, both in metres.
 struct HandMadeSea {
     template <class Height>
     HandMadeSea(int n, double side_m, Height height_of)

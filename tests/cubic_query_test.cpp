@@ -27,7 +27,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// One cascade with a plane wave of `m` and `n` periods along its axes, without horizontal
+/// A cascade with a plane wave of `m` and `n` periods along its axes, without horizontal
 /// displacement.
 class PlaneWaveFrame {
    public:

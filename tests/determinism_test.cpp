@@ -441,7 +441,7 @@ std::uint64_t hash_of_displacement(const Frame& frame) {
     return hash;
 }
 
-/// Seas of one cascade in deep water: the defaults and presets of the first version.
+/// Seas in deep water with cascades = 1: the defaults and presets of the first version.
 std::map<std::string, SeaState> seas_of_one_cascade() {
     std::map<std::string, SeaState> seas = {
         {"one-cascade-256", {.resolution = 256, .patch_size_m = 250, .roughness = 0.1}},

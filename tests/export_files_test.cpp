@@ -139,7 +139,7 @@ TEST(ExportedFiles, PngHoldsEveryGradientByteOfEveryLevel) {
     EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0000.exr"));
 }
 
-/// A map of one cascade, read from its files only; interpolated bilinearly and periodically.
+/// A cascade's map, read from its files only; interpolated bilinearly and periodically.
 class ReadCascade {
    public:
     ReadCascade(const std::filesystem::path& folder, const nlohmann::json& layout)
@@ -469,7 +469,7 @@ TEST(Info, BeginsWithASummaryOfFiveLines) {
                                  "after 200 s and after 140 m, the side of the coarsest of 4 cascades", "MB"};
     for (std::size_t i = 0; i < 5; ++i) EXPECT_NE(lines[i].find(parts[i]), std::string::npos) << lines[i];
     const std::string one = run_pelagic({"info", "--patch-size", "250", "--resolution", "32"}).out;
-    EXPECT_NE(one.find("after 200 s and after 250 m\n"), std::string::npos) << "one cascade repeats exactly";
+    EXPECT_NE(one.find("after 200 s and after 250 m\n"), std::string::npos);
     const std::string pond = run_pelagic({"info", "--preset", "pond"}).out;
     EXPECT_NE(pond.find("after 200 s and after 7.2 m\n"), std::string::npos) << "six times 1.2 m, rounded";
 }

@@ -28,7 +28,6 @@ using nlohmann::json;
 const SeaState foamy_gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 const Arguments foamy_gale_flags = {"--cascades", "4",   "--resolution",  "32", "--wind-speed", "20",
                                     "--fetch",    "100", "--loop-period", "8"};
-// The foam map of one cascade is a tile of its texels.
 const SeaState gale_on_one_cascade{
     .cascades = 1, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 const Arguments flags_of_one_cascade = {"--cascades", "1",   "--resolution",  "32", "--wind-speed", "20",
@@ -192,7 +191,7 @@ TEST(ExportedFoam, ResumeReplacesAFrameRecordedWithoutFoam) {
     EXPECT_TRUE(files_in(folder.path()) == whole);
 }
 
-// Several cascades break where their sum does: their foam is in one image, whose place and scale are
+// Cascades break where their sum does: their foam is in one image, whose place and scale are
 // in sea.json.
 TEST(ExportedFoam, OfSeveralCascadesIsOnePatch) {
     const TemporaryFolder folder;

@@ -65,7 +65,7 @@ TEST(ExportMesh, ResumeReplacesADamagedMesh) {
     EXPECT_TRUE(files_in(folder.path()) == whole);
 }
 
-// Frames have several cascades, whose foam is resolved while the ocean computes later frames.
+// Frames have a stack of cascades, whose foam is resolved while the ocean computes later frames.
 TEST(ExportMesh, VerifyComputesMeshesAgain) {
     const TemporaryFolder folder;
     const Arguments several = {"export", "--out",         folder.path().string(), "--resolution", "32",   "--no-sync",

@@ -142,7 +142,7 @@ TEST(FrameWriter, RecordsFramesAsTheyWerePassed) {
     EXPECT_EQ(records.at(0).foam_hash, foam_hash);
 }
 
-// Meshes of several cascades need the snapshots of their foam, too.
+// Meshes of a stack of cascades need the snapshots of their foam, too.
 TEST(FrameWriter, WritesMeshesOfFramesAsTheyWerePassed) {
     image_codec();  // loading it starts the threads of its libraries
     const TemporaryFolder path;

@@ -18,7 +18,7 @@ namespace {
 TEST(SceneBlock, StoresTheLongestWavelengthOfEachCascade) {
     for (const SeaPreset& preset : sea_presets()) {
         SeaState sea = preset.sea;
-        if (sea.waves == WaveModel::pond) continue;  // it has one cascade
+        if (sea.waves == WaveModel::pond) continue;
         sea.resolution = 64;
         sea.cascades = is_cascade_for_good(sea) ? 1 : 4;
         Ocean ocean(sea, {.executor = make_serial_executor()});

@@ -309,7 +309,7 @@ TEST_F(GlShore, WaterHasTheQueriedHeights) {
     EXPECT_LT(off[0].mean_m, 1.3 * off[1].mean_m);
 }
 
-/// Returns the frame without the waves and the foam of one cascade.
+/// Returns the frame without the waves and the foam of a cascade.
 class WithoutCascade {
    public:
     WithoutCascade(const Frame& of, std::size_t missing)

@@ -9,7 +9,7 @@ namespace {
 
 constexpr glm::dvec2 slice_middle(1034.7, -263.9);
 
-/// One cascade, without horizontal displacement.
+/// A cascade without horizontal displacement.
 SeaState sea_without_choppiness() {
     SeaState sea = sea_named("moderate", 128);
     sea.choppiness = 0;

@@ -1,4 +1,4 @@
-// A frame that is not computed by an ocean: one cascade, whose values a test sets.
+// A frame that is not computed by an ocean: its cascade has values that a test sets.
 #pragma once
 
 #include "pelagic/sim/frame.hpp"

@@ -171,7 +171,7 @@ TEST(SeaReport, RepeatLengthIsTheCoarsestCascadesSide) {
 
     SeaState one = calm;
     one.patch_size_m = 150;
-    EXPECT_GT(correlation_of_heights(one, repeat_length_m(one)), 1 - 1e-6) << "one cascade repeats exactly";
+    EXPECT_GT(correlation_of_heights(one, repeat_length_m(one)), 1 - 1e-6);
 }
 
 // Closed form for any depth: Ochi and Hubble's swell, S = 4 m0 u^3 e^-u / (2 omega), u = 13/4

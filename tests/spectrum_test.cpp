@@ -21,7 +21,7 @@ using std::numbers::pi;
 
 constexpr double gravity = 9.80665;
 
-/// Returns one cascade of the sea's waves, without surface tension.
+/// Returns a cascade of the sea's waves, without surface tension.
 CascadePlan cascade_of(const SeaState& sea) {
     return {.grid = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : 250}, .resolution = resolution_of(sea)};
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr int target_n = 32;
 constexpr std::uint32_t guard = 0xA5C3A5C3;
 
-/// An application's memory for one map of one cascade, with guard words on both sides of every
+/// An application's memory for a map of a cascade, with guard words on both sides of every
 /// piece.
 class Guarded {
    public:

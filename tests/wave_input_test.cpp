@@ -285,7 +285,7 @@ TEST(WaveInput, WavesTooShortTooLongOrFlatAreOmitted) {
     EXPECT_EQ(hash_of(ocean.frame_at(5)), hash_of(pure.frame_at(5)));
     EXPECT_TRUE(waves->held().waves.empty());
     EXPECT_EQ(rings->held().reach_m, 0);
-    // With one cascade, two texels of 1.25 m suffice.
+    // With cascades = 1, two texels of 1.25 m suffice.
     waves->set({.waves = {{.amplitude_m = 0.01, .wavelength_m = 2.6}, {.amplitude_m = 0.01, .wavelength_m = 2.4}}});
     ocean.frame_at(5);
     EXPECT_EQ(waves->held().waves.size(), 1U);

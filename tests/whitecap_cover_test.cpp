@@ -44,7 +44,7 @@ double mean_cover(SeaState sea, int seeds, int frames) {
     return sum / (static_cast<double>(places) * frames * seeds);
 }
 
-/// Returns a sea with one cascade of a fixed side if `cascades` is 0.
+/// Returns a sea whose cascade has a fixed side if `cascades` is 0.
 SeaState windy_sea(int cascades, double wind_speed_mps) {
     return {.cascades = cascades, .patch_size_m = cascades == 0 ? 250.0 : 0.0, .wind_speed_mps = wind_speed_mps};
 }

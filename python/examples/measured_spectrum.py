@@ -20,7 +20,7 @@ Doubles = NDArray[np.float64]
 #: peak.
 SEA = pelagic.Sea(wind_speed_mps=12, fetch_m=100e3, choppiness=0, spreading="hasselmann", loop_period_s=400)
 
-#: The same sea on one cascade with a texel every 2 m. Interpolation between texels is linear, which
+#: The same sea with a texel every 2 m. Interpolation between texels is linear, which
 #: flattens waves of a few texels at arbitrary positions; each of four cascades has such waves.
 SEA_OF_BUOYS = replace(SEA, patch_size_m=1000, resolution=512)
 

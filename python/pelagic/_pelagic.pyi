@@ -62,8 +62,9 @@ class Bounds:
         """The largest |Dz|."""
 
 class Cascade:
-    """One cascade of a frame: a band of waves on a square that repeats over the whole sea. The
-    displacements of a frame's cascades add.
+    """A cascade of a frame: a band of waves on a square that repeats over the whole sea. The
+    displacements of a frame's cascades add. With cascades=1 a frame has `gradient` and `foam`, and
+    its foam is that; otherwise it has `slopes` and `compression`, whose sums have the waves' foam.
 
     Element [j, i] has the reference position x = (c i - s j) L/N, z = (s i + c j) L/N, where c and
     s are `rotation`, L is `patch_size_m` and N is `resolution`. A view is read-only memory of the
@@ -95,7 +96,7 @@ class Cascade:
     @property
     def gradient(self) -> NDArray[np.uint8]:
         """(N, N, 4), a view: normal x, normal z, Jacobian, smoothness, of this cascade alone.
-        Requires a frame of one cascade, or Ocean(gradients=True)."""
+        Requires cascades=1 or Ocean(gradients=True)."""
     def gradient_level(self, level: int) -> NDArray[np.uint8]:
         """Mip level `level` of gradient, 0 to levels - 1."""
     @property
@@ -257,8 +258,8 @@ class Frame:
         """(N, N, 4), a view of the first cascade, which has the longest waves."""
     @property
     def height(self) -> NDArray[np.float32]:
-        """(N, N), a copy of the first cascade's heights. In a frame of several cascades it does not
-        include the others; query() includes all."""
+        """(N, N), a copy of the first cascade's heights, without those of others; query() includes
+        all."""
     @property
     def cascades(self) -> List[Cascade]:
         """The cascades, the coarsest first."""
@@ -267,7 +268,7 @@ class Frame:
         """The requested time."""
     @property
     def bounds(self) -> Bounds:
-        """Exact for one cascade; upper bounds for several."""
+        """Sums over the cascades: upper bounds, exact with cascades=1."""
     @property
     def sea(self) -> Sea:
         """The sea at this time."""
@@ -403,8 +404,8 @@ class Ocean:
         queries     allow query() and rays() on frames
         velocities  compute velocities; about twice the work
         foam        compute foam, which depends on the last 2.8 seconds
-        gradients   normals of each cascade in frames of several; always there in frames of one
-        slopes      slopes in frames of one cascade; always there in frames of several
+        gradients   normals of each cascade; always there with cascades=1
+        slopes      slopes of each cascade; always there with 2 or more cascades
         threads     maximum threads of a frame, including the calling thread; 0: one per core
         isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest.
                     Results are bit-identical

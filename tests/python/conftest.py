@@ -38,5 +38,5 @@ def golden_seas():
 
 @pytest.fixture
 def small():
-    """Returns a sea of one cascade whose frames are fast to compute."""
+    """Returns a sea whose frames are fast to compute."""
     return pelagic.Sea(resolution=64, patch_size_m=250)

@@ -40,7 +40,7 @@ public static class MemoryTests
             Check.Equal(bounds.HeightMaxM, frame.Bounds.HeightMaxM, "bounds");
             ocean.FrameAt(1, early);
             Compare(frame, copies);
-            Check.Throws<PelagicException>(() => ocean.FrameAt(1, early[0]), "one cascade of four");
+            Check.Throws<PelagicException>(() => ocean.FrameAt(1, early[0]), "one of four");
             early[1].Height = new float[3];
             Check.Throws<PelagicException>(() => ocean.Copy(early), "a short array");
             early[1].Dx = new float[4];
@@ -72,7 +72,7 @@ public static class MemoryTests
                     Check.True(frame.Cascade(i).DisplacementRgba16f.IsEmpty, "the texture is not in the frame");
                     Check.True(frame.Cascade(i).SlopesRgba8.SequenceEqual(expected.Cascade(i).SlopesRgba8), "slopes stay in the frame");
                 }
-                Check.Throws<PelagicException>(() => into.ScheduleInto(4, new TextureTargets[1]), "targets of one cascade");
+                Check.Throws<PelagicException>(() => into.ScheduleInto(4, new TextureTargets[1]), "too few targets");
             }
         }
         finally

@@ -166,7 +166,7 @@ namespace Pelagic
         public int Cascades;
         internal uint reserved_1;
         /// <summary>
-        /// Wave model, WavesKind A pond has one cascade. Only a spectrum uses spectrum,
+        /// Wave model, WavesKind A pond has 1 cascade. Only a spectrum uses spectrum,
         /// spreading, FetchM, DepthM, ShortWaveCutoff, WindAlignment, the swell and seed; only the
         /// other models use the fields below.
         /// </summary>
@@ -257,8 +257,8 @@ namespace Pelagic
 
     /// <summary>
     /// Extremes of displacements, for culling boxes. Those of a cascade are exact. Those of a frame are
-    /// the sums over its cascades: exact for one cascade, upper bounds for several, whose extremes need
-    /// not coincide.
+    /// the sums over its cascades, whose extremes need not coincide: upper bounds, exact if
+    /// CascadeCount is 1.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Bounds
@@ -593,8 +593,8 @@ namespace Pelagic
             native.queries = Queries ? 1 : 0;
             native.velocities = Velocities ? 1 : 0;
             native.query_tolerance_m = QueryToleranceM;
-            native.slopes = Slopes ? 1 : 0;
-            native.gradients = Gradients ? 1 : 0;
+            native.slopes = Slopes;
+            native.gradients = Gradients;
             native.foam = Foam ? 1 : 0;
             native.textures_only = TexturesOnly ? 1 : 0;
         }
@@ -604,8 +604,8 @@ namespace Pelagic
             Queries = native.queries != 0;
             Velocities = native.velocities != 0;
             QueryToleranceM = native.query_tolerance_m;
-            Slopes = native.slopes != 0;
-            Gradients = native.gradients != 0;
+            Slopes = native.slopes;
+            Gradients = native.gradients;
             Foam = native.foam != 0;
             TexturesOnly = native.textures_only != 0;
         }
@@ -617,8 +617,8 @@ namespace Pelagic
     /// refraction. Queries and bounds include the effects.
     ///
     /// Beyond the rectangle the floor continues as at its nearest edge: dry ground stays dry, and the
-    /// sea is open where it is deep enough for its waves. The sea must have several cascades and cannot
-    /// change.
+    /// sea is open where it is deep enough for its waves. The sea must have at least two cascades and
+    /// cannot change.
     /// </summary>
     public sealed partial class ShoreOptions
     {

@@ -26,7 +26,7 @@ export interface SeaOptions {
    * 0, which is 128, or 256 with patchSizeM.
    */
   resolution?: number;
-  /** Side of a single cascade, metres: [0.001, 1e6], or 0: chosen. Default 0. */
+  /** Side of the cascade if `cascades` is 1, metres: [0.001, 1e6], or 0: chosen. Default 0. */
   patchSizeM?: number;
   /** Mean wind speed 10 m above the sea, metres per second: (0, 60]. Default 12. */
   windSpeedMps?: number;
@@ -90,9 +90,9 @@ export interface OceanOptions extends SeaOptions {
   queries?: boolean;
   /** Adds velocities to frames and to results of query(). About twice the work. Default false. */
   velocities?: boolean;
-  /** Adds gradients to frames of several cascades; those of one always have them. Default false. */
+  /** Adds gradients, which frames with `cascades` 1 always have. Default false. */
   gradients?: boolean;
-  /** Adds slopes and moments to frames of one cascade; others always have them. Default false. */
+  /** Adds slopes and moments, which frames with more cascades always have. Default false. */
   slopes?: boolean;
   /** Enables foam, which decays over 2.8 seconds. Default false. */
   foam?: boolean;
@@ -579,7 +579,7 @@ export interface CascadeMaps {
   readonly displacement: Uint16Array;
   /**
    * levelCount(N) mip levels, RGBA8: normal x, normal z, Jacobian, smoothness, of this cascade
-   * alone. Null in frames of several cascades without OceanOptions.gradients.
+   * alone. Null with 2 or more cascades without OceanOptions.gradients.
    */
   readonly gradients: Uint8Array | null;
   /**
