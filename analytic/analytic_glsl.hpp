@@ -25,6 +25,7 @@ struct GlslOrigin {
 /// \pre the origin is finite
 std::string analytic_glsl(const AnalyticSea& sea, const GlslOrigin& origin = {});
 /// As above, for plane waves.
+/// \throws std::invalid_argument with the message of check(sea), if it is not empty
 std::string analytic_glsl(const PlaneWaves& sea, const GlslOrigin& origin = {});
 
 }  // namespace pelagic

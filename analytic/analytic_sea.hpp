@@ -65,8 +65,8 @@ struct AnalyticFamily {
     double strength = 1;
     double direction_rad = 0;  ///< of the wind; [-2 pi, 2 pi]
 };
-/// Returns the sea of a family. \throws std::invalid_argument if the parameters give a sea that
-/// check() rejects
+/// Returns the sea of a family.
+/// \throws std::invalid_argument if the parameters give a sea that check() rejects
 AnalyticSea analytic_sea(const AnalyticFamily& family);
 
 /// A named sea: "analytic-calm", "analytic-moderate" or "analytic-intense". All have sixteen waves

@@ -62,6 +62,7 @@ class AnalyticSurface {
     /// set
     explicit AnalyticSurface(const AnalyticSea& sea, std::optional<Isa> isa = {});
     /// As above, for plane waves.
+    /// \throws std::invalid_argument if the CPU lacks the instruction set
     explicit AnalyticSurface(PlaneWaves waves, std::optional<Isa> isa = {});
     ~AnalyticSurface();
     AnalyticSurface(AnalyticSurface&&) noexcept;
@@ -73,7 +74,8 @@ class AnalyticSurface {
     void sample_undisplaced(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const;
 
     /// Samples the water that is at the points `world`. Its reference point is the point minus
-    /// `horizontal`. Throws what sample_undisplaced() throws.
+    /// `horizontal`.
+    /// \throws std::invalid_argument  what sample_undisplaced() throws
     void sample(double time_s, const AnalyticPoints& world, const AnalyticSamples& samples) const;
 
     /// Returns the waves of the sea.

@@ -15,7 +15,7 @@ namespace pelagic {
 
 inline constexpr double furthest_analytic_point_m = 1e9;
 
-/// Throws std::invalid_argument for a time that is not finite.
+/// Checks a time. \throws std::invalid_argument  if it is not finite
 inline void need_finite_time(double time_s) {
     if (!std::isfinite(time_s))
         throw std::invalid_argument(invalid_value_message("time_s", time_s, "a finite number"));
@@ -26,7 +26,7 @@ template <std::size_t Kinds>
 struct OutputArrays {
     std::array<std::span<float>, Kinds> of;
 
-    /// Throws std::invalid_argument for points or arrays that kernels cannot take.
+    /// \throws std::invalid_argument  if kernels cannot take the points or arrays
     void check(std::span<const double> x, std::span<const double> z) const {
         if (z.size() != x.size()) throw std::invalid_argument("x and z of the points differ in length");
         for (const std::span<float> array : of)

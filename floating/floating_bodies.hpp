@@ -52,8 +52,9 @@ class FloatingBodies {
     /// Returns the number of bodies.
     std::size_t size() const { return bodies_.size(); }
 
-    /// The functions below throw std::invalid_argument if there is no body of that number, and
-    /// change nothing then: "number is 7, expected that of a body".
+    /// Returns a body's hull.
+    /// \throws std::invalid_argument  here and below, if there is no body of that number: "number is
+    ///                                7, expected that of a body"; nothing is changed then
     const Hull& hull(std::uint32_t number) const;
     const HullState& state(std::uint32_t number) const;    ///< after the last step
     const HullInputs& inputs(std::uint32_t number) const;  ///< of the next step

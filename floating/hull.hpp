@@ -230,8 +230,8 @@ class Hull {
     /// Advances a state by a step: half of the motion, forces, the other half (Verlet). Without
     /// waves, wind and inputs each step reduces the mechanical energy. More than 0.1 s, after a
     /// hitch of the application, is divided into equal steps, and more than 1 s counts as 1 s.
-    /// Throws what loads() throws.
     /// \returns whether the state has advanced by all of step_s
+    /// \throws std::invalid_argument  what loads() throws
     bool step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
               HullWorkspace& workspace) const;
 

@@ -49,7 +49,7 @@ class HullWake {
     /// \throws std::invalid_argument  if step_s is negative or not finite
     void press(const Frame& frame, const HullState& state, const HullLoads& loads, double step_s);
 
-    /// Throws what press() throws.
+    /// Checks the time of a step. \throws std::invalid_argument  what press() throws
     static void check_step(double step_s);
 
     /// Returns four periods of waves with the hull's length. A change of this duration makes hardly

@@ -36,6 +36,7 @@ class GraphRun {
     /// Calls schedule() and complete(). Executors of Pelagic with threads do not wake a sleeping
     /// thread for a run that the calling thread completes sooner by itself.
     /// \pre no run is in flight (asserted)
+    /// \throws  what complete() throws
     virtual void run() {
         schedule();
         complete();

@@ -21,7 +21,7 @@ class SlicedExecutor : public Executor {
    public:
     /// Runs jobs of the scheduled runs, in the order of scheduling, until `budget` has elapsed or
     /// no job remains. Runs at least one job, so a call takes at most the budget plus one job.
-    /// complete() throws the exceptions of jobs.
+    /// Exceptions of jobs are stored for GraphRun::complete().
     /// \pre no thread is in complete() of a run of this executor
     /// \return true if no job remains
     virtual bool advance(std::chrono::nanoseconds budget) = 0;

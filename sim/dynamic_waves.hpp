@@ -92,8 +92,8 @@ std::uint64_t hash_of(const DynamicWavesView& view);
 /// ticks and the commands before it. So equal times with equal commands between them give
 /// bit-identical waves on every machine.
 ///
-/// Every function throws std::invalid_argument for a value out of range and changes nothing then.
-/// Not thread-safe: one thread at a time calls its functions; the work runs on the executor.
+/// A function that throws changes nothing. Not thread-safe: one thread at a time calls its
+/// functions; the work runs on the executor.
 class DynamicWaves {
    public:
     /// Executor, instruction set, tracing and memory of the ticks.
@@ -108,8 +108,9 @@ class DynamicWaves {
         Allocator memory = {};
     };
 
-    /// Throws std::invalid_argument(check(options)), what choose_isa() and executors throw, and
-    /// std::bad_alloc.
+    /// \throws std::invalid_argument  check(options), unless it is empty, or what choose_isa() throws
+    /// \throws std::bad_alloc         if memory is exhausted
+    /// \throws                        what executors throw
     explicit DynamicWaves(const DynamicWavesOptions& options) : DynamicWaves(options, Resources{}) {}
     /// As above, with an executor, an instruction set and memory of the application.
     DynamicWaves(const DynamicWavesOptions& options, Resources resources);
@@ -123,54 +124,64 @@ class DynamicWaves {
     /// Enqueues a disturbance that acts once, in the next tick. At most 4096 impulses wait for a
     /// tick. While advances are to times not later than the one before, impulses do not accumulate:
     /// only those before the last such advance that has any wait.
+    /// \throws std::invalid_argument  check(disturbance), unless it is empty, or if there are more
     void add_impulse(const Disturbance& disturbance);
     /// Adds a source, which acts in every tick and moves at its velocity, until it is removed. At
     /// most 4096 sources exist at once. They act in the order of their numbers, before impulses.
     /// Returns its number, which is never reused.
+    /// \throws std::invalid_argument  check(source), unless it is empty, or if there are more
     std::uint32_t add_source(const Disturbance& source);
     /// Replaces a source from the next tick on. Does nothing if there is no source of that number.
+    /// \throws std::invalid_argument  check(source), unless it is empty
     void set_source(std::uint32_t number, const Disturbance& source);
     /// Adds the pressure of a floating body, as a source. Footprints act after other sources.
+    /// \throws std::invalid_argument  check(footprint), unless it is empty, or for more sources
     std::uint32_t add_footprint(const PressureFootprint& footprint);
     /// Replaces a footprint from the next tick on. Does nothing if there is none of that number.
+    /// \throws std::invalid_argument  check(footprint), unless it is empty
     void set_footprint(std::uint32_t number, const PressureFootprint& footprint);
     /// Removes a source or a footprint. Does nothing if there is none of that number.
     void remove_source(std::uint32_t number);
     /// Moves the grid's centre to within half a texel of the point; x_m and z_m in [-1e8, 1e8].
     /// Texels that stay in the grid are unchanged, and those that enter are flat.
+    /// \throws std::invalid_argument  if the point is out of range
     void set_center(double x_m, double z_m);
     /// Sets the current, which carries the grid; each in [-10, 10]. Positions and velocities of
     /// commands are then in the world, and those of views in the water's frame (water_frame.hpp).
     /// Call set_center() again to keep the grid at a point. Ocean::set_water_frame() sets the
     /// current of an ocean's waves. A saved state does not include it.
+    /// \throws std::invalid_argument  if the current is out of range
     void set_current(double x_mps, double z_mps);
     /// Sets the rain from the next tick on; 0 drops end it.
+    /// \throws std::invalid_argument  check(rain, options()), unless it is empty
     void set_rain(const Rain& rain);
 
     /// A jump ahead computes the ticks of at most this time, seconds.
     static constexpr double max_jump_s = 0.5;
     /// Returns the number of the last tick at a time, counted from t = 0.
-    /// Throws std::invalid_argument if the time is not finite.
+    /// \throws std::invalid_argument  if the time is not finite
     std::int64_t tick_at(double time_s) const;
 
     /// Computes the ticks up to a time and returns the waves. The view is a tick late: it is
     /// interpolated between the last two ticks. A time before that of the last call computes no
     /// tick, and later ticks are counted from it. The view stays valid until the second advance()
-    /// from now. Throws what executors throw; the view of the last advance stays then. Throws
-    /// std::invalid_argument if time_s is not finite, and std::logic_error if an ocean owns the
-    /// object.
+    /// from now.
+    /// \throws std::invalid_argument  if time_s is not finite
+    /// \throws std::logic_error       if an ocean owns the object
+    /// \throws                        what executors throw; the view of the last advance stays
     const DynamicWavesView& advance(double time_s);
     /// Returns the waves of the last advance, or of the ocean's frame completed last; empty before
     /// the first.
     const DynamicWavesView& view() const;
 
     /// Returns all that later ticks depend on, except commands since the last advance; slightly
-    /// more than 17 N^2 bytes. Throws std::logic_error while a frame of an ocean is in flight.
+    /// more than 17 N^2 bytes.
+    /// \throws std::logic_error  while a frame of an ocean is in flight
     std::vector<std::uint8_t> save_state() const;
     /// Restores a state saved with equal options, on any machine of equal byte order. Discards
-    /// commands since the last advance. Throws std::invalid_argument and changes nothing if the
-    /// options differ or the bytes are damaged, by a checksum, and std::logic_error while a frame of
-    /// an ocean is in flight.
+    /// commands since the last advance.
+    /// \throws std::invalid_argument  if the options differ, or the bytes are damaged by a checksum
+    /// \throws std::logic_error       while a frame of an ocean is in flight
     void restore_state(std::span<const std::uint8_t> saved);
 
     /// Returns the options of construction.

@@ -37,17 +37,17 @@ std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_co
 
 /// Copies a plane of a frame to tight rows: texel (i, j) is element j N + i. Nothing is written for
 /// a plane without data.
-/// \param out  N^2 elements, or none; throws std::invalid_argument otherwise
+/// \throws std::invalid_argument  if `out` has elements, but not N^2
 void copy_plane(const PlaneView& plane, std::span<float> out);
 
 /// Computes the compression q of a cascade (snapshot_foam.hpp) without rounding, in tight rows. It
 /// adds over cascades exactly, and needs no OceanOptions::foam. The result is 0 for a cascade that
 /// makes no foam.
-/// \param out  N^2 elements; throws std::invalid_argument otherwise
+/// \throws std::invalid_argument  if `out` does not have N^2 elements
 void copy_compression(const Cascade& cascade, std::span<float> out);
 
-/// Copies a frame, with one FrameBuffers for each cascade. Throws std::invalid_argument(check(...))
-/// before it writes.
+/// Copies a frame, with one FrameBuffers for each cascade.
+/// \throws std::invalid_argument  check(...) before it writes, unless it is empty
 void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades);
 /// As above, for a frame with one cascade.
 inline void copy_frame(const Frame& frame, const FrameBuffers& only_cascade) {

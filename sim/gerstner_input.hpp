@@ -20,12 +20,12 @@ class GerstnerInput final : public WaveInput {
    public:
     static constexpr std::size_t max_waves = 64;
 
-    /// Throws what set() throws.
+    /// \throws std::invalid_argument  what set() throws
     explicit GerstnerInput(const AnalyticSea& waves = {});
     ~GerstnerInput() override;
 
-    /// Replaces the waves from the next schedule() on; without waves the input adds nothing. Throws
-    /// std::invalid_argument(check(waves)) and changes nothing then.
+    /// Replaces the waves from the next schedule() on; without waves the input adds nothing.
+    /// \throws std::invalid_argument  check(waves), unless it is empty; nothing is changed then
     void set(const AnalyticSea& waves);
     /// Returns the waves of the frame scheduled last. AnalyticSurface evaluates what they add to
     /// its texels. Left out are waves of less than three texels of the finest cascade (two, if it

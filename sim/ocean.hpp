@@ -79,19 +79,22 @@ struct OceanOptions {
 ///
 /// Not thread-safe: one thread at a time calls its methods; the work runs on the executor. After
 /// construction a frame allocates nothing in Pelagic's code, except tables of inputs in the first
-/// frame. It throws only if an executor (GraphRun::complete()) or an input (WaveInput) fails. That
-/// frame or sea is lost then, and the next may be scheduled. A violated precondition throws
-/// std::logic_error, and a time that is not finite std::invalid_argument; nothing is changed then.
+/// frame. Apart from misuse it throws only if an executor (GraphRun::complete()) or an input
+/// (WaveInput) fails. That frame or sea is lost then, and the next may be scheduled. Misuse changes
+/// nothing.
 class Ocean {
    public:
-    /// Computes the spectrum of a sea. Throws std::invalid_argument(check(sea)) if an option is out
-    /// of range, std::invalid_argument if an option needs planes that are off, what choose_isa()
-    /// and executors throw, and std::bad_alloc.
+    /// Computes the spectrum of a sea.
+    /// \throws std::invalid_argument  check(sea), unless it is empty, if an option needs planes that
+    ///                                are off, or what choose_isa() throws
+    /// \throws std::bad_alloc         if memory is exhausted
+    /// \throws                        what executors throw
     explicit Ocean(const SeaState& sea, OceanOptions options = {});
     /// Computes the spectrum of the forecast's first sea. That of each later sea is computed
     /// together with frames, from 10 s of the sea's time before frames need it. A frame waits for a
-    /// spectrum that is not ready, for instance after a jump in time. Throws as the other
-    /// constructor.
+    /// spectrum that is not ready, for instance after a jump in time.
+    /// \throws std::invalid_argument  check(forecast), unless it is empty, if it has changes and the
+    ///                                options a shore, or what the other constructor throws
     explicit Ocean(const Forecast& forecast, OceanOptions options = {});
     ~Ocean();  ///< waits for work in flight
     Ocean(const Ocean&) = delete;
@@ -104,14 +107,15 @@ class Ocean {
     ///
     /// complete() computes small frames (N up to 64), for which threads would take longer. With
     /// OceanOptions::foam it also computes the warm-up after a jump in time.
-    /// \pre no frame is in flight
+    /// \throws std::invalid_argument  if the time is not finite
+    /// \throws std::logic_error       if a frame is in flight
     void schedule(double time_s) { schedule(time_s, {}); }
 
     /// Starts a frame as above, with textures in memory of the application, by cascade. The frame
     /// has no views of these textures and hash_of() leaves them out. The memory must stay valid
-    /// until complete() returns. Throws std::invalid_argument(check(targets, ...)) before it
-    /// computes.
-    /// \pre no frame is in flight
+    /// until complete() returns.
+    /// \throws std::invalid_argument  check(cascades, ...), unless it is empty, or for such a time
+    /// \throws std::logic_error       if a frame is in flight
     void schedule(double time_s, std::span<const TextureTargets> cascades);
 
     /// Returns whether complete() would return without waiting for other threads. It does if they
@@ -122,17 +126,19 @@ class Ocean {
     /// Completes the scheduled frame and returns it; the calling thread takes part in the work.
     /// Returns the frame completed last if none is in flight. Its views stay valid until the second
     /// schedule() from now, so also while the next frame is computed.
-    /// \pre a frame was scheduled
+    /// \throws std::logic_error       if no frame was scheduled
+    /// \throws std::invalid_argument  if an input adds a value out of range
+    /// \throws                        what GraphRun::complete() throws
     const Frame& complete();
 
-    /// Schedules and completes a frame.
+    /// Schedules and completes a frame. \throws what both throw
     const Frame& frame_at(double time_s);
 
     /// Computes a frame and writes it to the caller's arrays, one FrameBuffers for each cascade;
     /// for servers and replays. The views of the frame completed last stay valid, and complete()
-    /// still returns that frame if none is in flight. Throws std::invalid_argument(check(buffers,
-    /// ...)) before it computes.
-    /// \pre no frame is in flight
+    /// still returns that frame if none is in flight.
+    /// \throws std::invalid_argument  check(cascades, ...) before it computes, unless it is empty
+    /// \throws                        what schedule() and complete() throw
     FrameBounds frame_at(double time_s, std::span<const FrameBuffers> cascades);
     /// As above, for an ocean with one cascade.
     FrameBounds frame_at(double time_s, const FrameBuffers& only_cascade) {
@@ -141,29 +147,31 @@ class Ocean {
 
     /// Starts to compute the spectrum of another sea (stage `spectrum`). Frames show the current
     /// sea until complete_sea(). The resolution, the number of cascades and the kind of waves (pond
-    /// or not) must not change. Throws std::invalid_argument if they do, if a value is out of
-    /// range, and if the ocean has a shore.
-    /// \pre no other sea is being computed
+    /// or not) must not change.
+    /// \throws std::invalid_argument  if they do, a value is out of range, or the ocean has a shore
+    /// \throws std::logic_error       if another sea is being computed
     void schedule_sea(const SeaState& sea);
     /// Returns whether complete_sea() would return without waiting for other threads.
     bool sea_is_ready() const;
     /// Waits for the spectrum of schedule_sea(sea), which frames show from now on. Discards the
     /// changes of the forecast.
-    /// \pre no frame is in flight
+    /// \throws std::logic_error  if a frame is in flight
+    /// \throws                   what GraphRun::complete() throws; the sea is lost then
     void complete_sea();
 
     /// Appends a change to the forecast, whose spectrum is computed together with frames from now
     /// on (Forecast describes what may change). The ocean keeps the last two changes, and frames of
-    /// earlier times show the oldest sea that it has. Throws std::invalid_argument(check(forecast))
-    /// if the preceding change ends after `from_s`, if the sea is incompatible, and if the ocean
-    /// has a shore. The call takes about 2 ms, in which it searches the new sea's spectrum.
+    /// earlier times show the oldest sea that it has. The call takes about 2 ms, in which it
+    /// searches the new sea's spectrum.
     ///
     /// A change from before the frame that was scheduled last, except by frame_at() with buffers,
     /// starts at that frame's time, so that the water does not jump. forecast() has the start. That
     /// time differs between peers: schedule changes that begin after every peer's frame.
     ///
     /// A frame may be in flight; it belongs to the forecast in which it was scheduled.
-    /// \pre no sea is between schedule_sea(sea) and complete_sea()
+    /// \throws std::invalid_argument  if the preceding change ends after `from_s`, the sea is
+    ///                                incompatible, or the ocean has a shore
+    /// \throws std::logic_error       between schedule_sea(sea) and complete_sea()
     void schedule_sea(const SeaChange& change);
     /// As above, for a change without a distant swell.
     void schedule_sea(const SeaState& sea, double from_s, double over_s) {
@@ -173,16 +181,15 @@ class Ocean {
     /// Sets the sea level and the current of frames that are scheduled from now on, and the current
     /// of the ocean's dynamic waves. Frame::water_frame has them; all else in a frame is unchanged.
     /// The current has flowed since t = 0: to change it moves the sea by the change times t.
-    ///
-    /// Throws std::invalid_argument(check(water)) if a value is out of range, and for any value but
-    /// 0 if the ocean has a shore.
+    /// \throws std::invalid_argument  check(water), unless it is empty, or for a value other than 0
+    ///                                if the ocean has a shore
     void set_water_frame(const WaterFrame& water);
     /// Returns the sea level and the current of the frame scheduled next.
     const WaterFrame& water_frame() const;
 
     /// Returns the dynamic waves of OceanOptions::dynamic_waves, which advance with the ocean's
     /// frames. Frames of equal times with equal commands between them have bit-identical waves.
-    /// Throws std::invalid_argument without that option.
+    /// \throws std::invalid_argument  without that option
     DynamicWaves& dynamic_waves();
     /// As above.
     const DynamicWaves& dynamic_waves() const;

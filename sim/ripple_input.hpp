@@ -40,12 +40,12 @@ std::string check(const Ripple& ripple);
 
 class RippleInput final : public WaveInput {
    public:
-    /// Throws what set() throws.
+    /// \throws std::invalid_argument  what set() throws
     explicit RippleInput(const Ripple& ripple = {});
     ~RippleInput() override;
 
-    /// Replaces the rings from the next schedule() on. Throws std::invalid_argument(check(ripple))
-    /// and changes nothing then.
+    /// Replaces the rings from the next schedule() on.
+    /// \throws std::invalid_argument  check(ripple), unless it is empty; nothing is changed then
     void set(const Ripple& ripple);
 
     /// The rings of the frame scheduled last.

@@ -84,7 +84,8 @@ class Spray {
     static constexpr std::size_t max_droplets = 8192;
     static constexpr double max_lifetime_s = 1.5;
 
-    /// Throws std::invalid_argument(check(options)) and std::bad_alloc.
+    /// \throws std::invalid_argument  check(options), unless it is empty
+    /// \throws std::bad_alloc         if memory is exhausted
     explicit Spray(const SprayOptions& options = {}, const Allocator& memory = {});
     ~Spray();
     Spray(const Spray&) = delete;
@@ -92,7 +93,7 @@ class Spray {
 
     /// Returns the time of the next tick that droplets_at(time_s) needs, or nothing if it has all.
     /// Ticks before the first are the 15 or 16 of a lifetime, as after a jump in time.
-    /// Throws std::invalid_argument if time_s is not in [-1e9, 1e9].
+    /// \throws std::invalid_argument  if time_s is not in [-1e9, 1e9]
     std::optional<double> missing_tick_s(double time_s) const;
 
     /// Adds the droplets that leave at a tick, Frame::time_s. If the tick does not follow the last
@@ -102,14 +103,15 @@ class Spray {
     /// heights of dynamic waves and of a shore are included. The foam of their waves makes no
     /// spray. With Frame::water_frame the current carries the droplets of crests and of emitters.
     /// \param center_x_m,center_z_m  centre of the spray, usually the camera; each in [-1e8, 1e8]
-    /// Throws std::invalid_argument and changes nothing if the frame was made without
-    /// OceanOptions::velocities, if its time is no tick, or if the centre is out of range.
+    /// \throws std::invalid_argument  if the frame was made without OceanOptions::velocities, its
+    ///                                time is no tick, or the centre is out of range; nothing is
+    ///                                changed then
     void add_tick(const Frame& frame, double center_x_m, double center_z_m);
 
     /// Adds droplets of emitters. Their wind and water frame are those of the last tick. A jump in
     /// time keeps them. If there are more than 8192, the oldest are discarded.
-    /// Throws std::invalid_argument and changes nothing if an emitter is invalid, or if the
-    /// emitters of a call have more than 8192 droplets.
+    /// \throws std::invalid_argument  if an emitter is invalid, or the emitters of a call have more
+    ///                                than 8192 droplets; nothing is changed then
     void emit(std::span<const SprayEmitter> emitters);
 
     /// Returns the droplets at a time, at most 8192: first those of emitters, then those of crests,

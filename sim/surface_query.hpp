@@ -99,16 +99,16 @@ class SurfaceQuery {
    public:
     static constexpr double default_tolerance_m = SurfaceQueryOptions{}.tolerance_m;
 
-    /// Throws std::invalid_argument if the frame was made without OceanOptions::queries, and for a
-    /// tolerance that is not above 0.
+    /// \throws std::invalid_argument  if the frame was made without OceanOptions::queries, or the
+    ///                                tolerance is not above 0
     explicit SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options = {});
     /// As above, with linear interpolation.
     SurfaceQuery(const Frame& frame, double tolerance_m) : SurfaceQuery(frame, {.tolerance_m = tolerance_m}) {}
 
-    /// Samples the surface at the points. Throws std::invalid_argument, before it writes, for spans
-    /// of another length than the points, for velocities of a frame made without
-    /// OceanOptions::velocities, and for foam of a frame made without OceanOptions::foam,
-    /// dynamic_waves and shore.
+    /// Samples the surface at the points.
+    /// \throws std::invalid_argument  before it writes, for spans of another length than the points,
+    ///                                velocities of a frame made without OceanOptions::velocities,
+    ///                                or foam of one without foam, dynamic_waves and shore
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
     /// Returns a query of this frame and tolerance with another interpolation.
@@ -127,9 +127,9 @@ class SurfaceQuery {
     bool has_velocities() const { return frame_.cascades.front().velocity_y.data != nullptr; }
     /// Returns whether foam can be sampled.
     bool has_foam() const { return cascades_have_foam() || frame_.dynamic_waves || frame_.shore; }
-    /// Throws what sample() throws for these arrays, whatever their lengths.
+    /// Checks arrays, but not their lengths. \throws std::invalid_argument  what sample() throws
     void check(const SurfaceSamples& wanted) const;
-    /// Throws what sample() throws for these arrays.
+    /// Checks points and arrays. \throws std::invalid_argument  what sample() throws
     void check(const SurfacePoints& points, const SurfaceSamples& wanted) const;
 
    private:

@@ -15,16 +15,17 @@ namespace pelagic {
 /// of an ocean whose frames are in flight.
 class SurfaceQueryJobs {
    public:
-    /// Creates jobs for an executor. Batches of several threads need an object each. Throws
-    /// std::invalid_argument if it is null.
+    /// Creates jobs for an executor. Batches of several threads need an object each.
+    /// \throws std::invalid_argument  if it is null
     explicit SurfaceQueryJobs(std::shared_ptr<Executor> executor);
     ~SurfaceQueryJobs();
     SurfaceQueryJobs(const SurfaceQueryJobs&) = delete;  // the stage points into it
     SurfaceQueryJobs& operator=(const SurfaceQueryJobs&) = delete;
 
     /// Samples the points and returns when all are done. The calling thread takes part in the work,
-    /// and does a small batch alone. Throws what SurfaceQuery::sample() throws, before anything is
-    /// written.
+    /// and does a small batch alone.
+    /// \throws std::invalid_argument  what SurfaceQuery::sample() throws, before anything is written
+    /// \throws                        what executors throw
     void sample(const SurfaceQuery& query, const SurfacePoints& points, const SurfaceSamples& samples);
 
    private:

@@ -38,13 +38,14 @@ class FrameTextures {
     /// snapshots come from the frame.
     /// \throws std::invalid_argument  for a frame without slopes, of another resolution or with
     ///     another number of cascades; nothing has changed then
+    /// \throws GlError  if the driver does not map a buffer
     void upload(const Frame& frame);
 
     /// Returns targets in the next pixel buffer for Ocean::schedule(). The CPU does not copy a
     /// frame that was written there: upload() only starts the transfer to the textures. The targets
     /// are valid on any thread until upload(). Waits only if the GPU is three frames behind.
     /// Snapshots have no targets: upload() copies them from the frame.
-    /// \throws GlError
+    /// \throws GlError  if the driver does not map a buffer
     std::span<const TextureTargets> map();
 
     /// Each is a GL_TEXTURE_2D_ARRAY; layer i holds cascade i.

@@ -157,14 +157,15 @@ class SeaRenderer {
     void set_flow(const FlowMap& map);
     /// Uploads the frame for the next draw() calls. The frame's views may become invalid
     /// afterwards. On a software driver it waits for the driver's threads, because vertex shaders
-    /// would read mip levels before they are written.
-    ///
-    /// Throws the exceptions of FrameTextures::upload() and ShoreTextures::upload(), and
-    /// std::invalid_argument for a Frame::dynamic_waves that does not fit a texture. After an
-    /// exception draw() uses the previously uploaded frame.
+    /// would read mip levels before they are written. After an exception draw() uses the previously
+    /// uploaded frame.
+    /// \throws std::invalid_argument  what FrameTextures::upload() throws, or for a
+    ///                                Frame::dynamic_waves that does not fit a texture
+    /// \throws GlError                what ShoreTextures::upload() throws
     void upload(const Frame& frame);
     /// Returns targets to which Ocean::schedule() can write the textures of the next uploaded
     /// frame, which saves a copy (FrameTextures::map()). Call it before Ocean::schedule().
+    /// \throws GlError  if the driver does not map a buffer
     std::span<const TextureTargets> map_textures();
     /// Returns the options of the uploaded frame's caustics under the sky's sun, or nothing if no
     /// caustics can be visible: the viewer is high above the water and no floor is in sight.

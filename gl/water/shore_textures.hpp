@@ -24,7 +24,7 @@ class ShoreTextures {
     /// FrameTextures::upload(). Cascade weights are uploaded only if they differ from those of the
     /// last upload. A rectangle of another size reallocates the textures. Without a shore the call
     /// has no effect, and the textures keep their contents. Restores GL state.
-    /// \throws GlError
+    /// \throws GlError  if the driver does not map a buffer
     void upload(const ShoreSurface& shore);
 
     /// Cascade weights, RGBA8; channel t holds cascade t.
