@@ -186,7 +186,7 @@ typedef struct pelagic_sea {
      * patch_size_m. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
-    /* Wave model, PELAGIC_WAVES_... A pond has 1 cascade. Only a spectrum uses spectrum,
+    /* Wave model, PELAGIC_WAVES_... A pond has one cascade. Only a spectrum uses spectrum,
      * spreading, fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed; only the
      * other models use the fields below. */
     int32_t waves;
@@ -379,10 +379,9 @@ typedef struct pelagic_ocean_options {
     pelagic_allocate allocate;
     pelagic_release release;
     void* memory_user; /* passed to both; must outlive the ocean */
-    /* Nonzero adds slopes and moments to frames of one cascade; frames of several, and frames with
-     * foam, have them always. */
+    /* Nonzero: every cascade has slopes and moments, see pelagic_cascade. */
     int32_t slopes;
-    /* Nonzero adds a gradient chain to each cascade of several; a single cascade has one always. */
+    /* Nonzero: every cascade has gradients, see pelagic_cascade. */
     int32_t gradients;
     /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
      * a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,

@@ -166,7 +166,7 @@ namespace Pelagic
         public int Cascades;
         internal uint reserved_1;
         /// <summary>
-        /// Wave model, WavesKind A pond has 1 cascade. Only a spectrum uses spectrum,
+        /// Wave model, WavesKind A pond has one cascade. Only a spectrum uses spectrum,
         /// spreading, FetchM, DepthM, ShortWaveCutoff, WindAlignment, the swell and seed; only the
         /// other models use the fields below.
         /// </summary>
@@ -568,12 +568,9 @@ namespace Pelagic
         public bool Velocities;
         /// <summary>largest error of a converged point; 0: 0.001, else [1e-6, 1000]</summary>
         public double QueryToleranceM;
-        /// <summary>
-        /// True adds slopes and moments to frames of one cascade; frames of several, and frames with
-        /// foam, have them always.
-        /// </summary>
+        /// <summary>True: every cascade has slopes and moments, see pelagic_cascade.</summary>
         public bool Slopes;
-        /// <summary>True adds a gradient chain to each cascade of several; a single cascade has one always.</summary>
+        /// <summary>True: every cascade has gradients, see pelagic_cascade.</summary>
         public bool Gradients;
         /// <summary>
         /// True enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
@@ -593,8 +590,8 @@ namespace Pelagic
             native.queries = Queries ? 1 : 0;
             native.velocities = Velocities ? 1 : 0;
             native.query_tolerance_m = QueryToleranceM;
-            native.slopes = Slopes;
-            native.gradients = Gradients;
+            native.slopes = Slopes ? 1 : 0;
+            native.gradients = Gradients ? 1 : 0;
             native.foam = Foam ? 1 : 0;
             native.textures_only = TexturesOnly ? 1 : 0;
         }
@@ -604,8 +601,8 @@ namespace Pelagic
             Queries = native.queries != 0;
             Velocities = native.velocities != 0;
             QueryToleranceM = native.query_tolerance_m;
-            Slopes = native.slopes;
-            Gradients = native.gradients;
+            Slopes = native.slopes != 0;
+            Gradients = native.gradients != 0;
             Foam = native.foam != 0;
             TexturesOnly = native.textures_only != 0;
         }
