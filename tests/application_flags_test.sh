@@ -15,8 +15,8 @@ trap 'rm -rf "$work"' EXIT
   -DCMAKE_CXX_FLAGS="-march=native -ffast-math -funsafe-math-optimizations -ffp-contract=fast" \
   -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DPELAGIC_KERNEL_OPTIMISATION=-O1 -DPELAGIC_TBB=OFF -DPELAGIC_TESTS=ON \
   -DPELAGIC_TOOLS=OFF -DPELAGIC_GL=OFF -DPELAGIC_EXAMPLES=OFF -DPELAGIC_BENCH=OFF >"$work/log" 2>&1 &&
-  "$cmake" --build "$work/build" --target pelagic_determinism_tests -j 2 >>"$work/log" 2>&1 ||
+  "$cmake" --build "$work/build" --target pelagic_bits_tests -j 2 >>"$work/log" 2>&1 ||
   { tail -40 "$work/log"; exit 1; }
-"$work/build/bin/pelagic_determinism_tests" --gtest_filter='*Golden*:*EveryInstructionSet*' >"$work/log" 2>&1 || { tail -40 "$work/log"; exit 1; }
+"$work/build/bin/pelagic_bits_tests" --gtest_filter='*Golden*:*EveryInstructionSet*' >"$work/log" 2>&1 || { tail -40 "$work/log"; exit 1; }
 # A filter without a match passes too, so the number of tests is checked.
 grep -qE '\[  PASSED  \] [1-9][0-9]* test' "$work/log"
