@@ -11,33 +11,19 @@
 #include <iterator>
 #include <vector>
 
+#include "pelagic/tests/fuzz/fuzz.hpp"
+
 namespace {
 
-/// The input as a source of values; 0 after its end.
-class Bytes {
+class Bytes : public pelagic::FuzzBytes {
    public:
-    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-    bool is_empty() const { return size_ == 0; }
-
-    template <class T>
-    T take() {
-        T value{};
-        const std::size_t count = size_ < sizeof(T) ? size_ : sizeof(T);
-        if (count > 0) std::memcpy(&value, data_, count);
-        data_ += count;
-        size_ -= count;
-        return value;
-    }
+    using FuzzBytes::FuzzBytes;
 
     /// Returns mostly a small number, sometimes any bits.
     double number() {
         const auto byte = take<std::uint8_t>();
         return byte == 255 ? take<double>() : (byte - 100) * 0.25;
     }
-
-   private:
-    const std::uint8_t* data_;
-    std::size_t size_;
 };
 
 void must_be_a_status(pelagic_status status) {

@@ -1,17 +1,15 @@
 // Hull files of random bytes: a mesh whose triangles have vertices, or a one-line error.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
+#include "pelagic/tests/fuzz/fuzz.hpp"
 #include "pelagic/tools/meshes/hull_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace pelagic::tools;
-    const auto must = [](bool is_so) {
-        if (!is_so) std::abort();
-    };
+    using pelagic::must;
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     const bool is_obj = size > 0 && data[0] != '{' && data[0] != 'g';
     try {

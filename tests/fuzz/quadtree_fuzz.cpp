@@ -2,50 +2,25 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
 
 #include "pelagic/quadtree/selection.hpp"
+#include "pelagic/tests/fuzz/fuzz.hpp"
 
 namespace {
 
-class Bytes {
+class Bytes : public pelagic::FuzzBytes {
    public:
-    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-
-    template <class T>
-    T take() {
-        T value{};
-        const std::size_t count = size_ < sizeof(T) ? size_ : sizeof(T);
-        if (count > 0) std::memcpy(&value, data_, count);
-        data_ += count;
-        size_ -= count;
-        return value;
-    }
-
-    /// Returns mostly a value in [min, max], sometimes any bits.
-    double number(double min, double max) {
-        const auto byte = take<std::uint8_t>();
-        return byte == 255 ? take<double>() : min + (max - min) * byte / 254;
-    }
+    using FuzzBytes::FuzzBytes;
 
     /// Returns mostly 0 to 254, sometimes any 31 bits.
     int whole() {
         const auto byte = take<std::uint8_t>();
         return byte == 255 ? take<std::int32_t>() / 2 : byte;
     }
-
-   private:
-    const std::uint8_t* data_;
-    std::size_t size_;
 };
-
-void must(bool is_so) {
-    if (!is_so) std::abort();
-}
 
 }  // namespace
 
@@ -59,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool is_usable = pelagic::check(options).empty();
     try {
         pelagic::Selection selection(options);
-        must(is_usable);
+        pelagic::must(is_usable);
         for (int frame = 0; frame < 3; ++frame) {
             const glm::dvec3 viewer(bytes.number(-1e4, 1e4), bytes.number(-10, 1e3), bytes.number(-1e4, 1e4));
             std::vector<glm::dmat4> views(bytes.take<std::uint8_t>() % 3, glm::dmat4(1));
@@ -68,15 +43,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             const pelagic::DrawList& list = selection.select({.viewer_m = viewer, .views = views});
             std::size_t drawn = 0;
             for (const pelagic::DrawBatch& batch : list.batches) {
-                must(batch.stitches < 16 && batch.count > 0 && batch.first == drawn);
-                must(options.batch_limit == 0 || batch.count <= static_cast<std::uint32_t>(options.batch_limit));
+                pelagic::must(batch.stitches < 16 && batch.count > 0 && batch.first == drawn);
+                pelagic::must(options.batch_limit == 0 || batch.count <= static_cast<std::uint32_t>(options.batch_limit));
                 drawn += batch.count;
             }
-            must(drawn == list.instances.size());
+            pelagic::must(drawn == list.instances.size());
         }
     } catch (const std::invalid_argument& error) {
         const std::string_view what = error.what();
-        must(!what.empty() && what.size() < 300 && what.find('\n') == std::string_view::npos);
+        pelagic::must(!what.empty() && what.size() < 300 && what.find('\n') == std::string_view::npos);
     }
     return 0;
 }
