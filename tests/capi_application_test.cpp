@@ -230,8 +230,13 @@ struct FaultyApplication {
         options.user = this;
         pelagic_executor* executor = nullptr;
         EXPECT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK) << pelagic_last_error();
-        const COceanExecutor held(executor);
-        return ocean_of(small_sea(resolution), executor);
+        COcean ocean = ocean_of(small_sea(resolution), executor);
+        pelagic_executor_destroy(executor);  // the ocean keeps a reference
+        auto info = sized<pelagic_ocean_info>();
+        EXPECT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
+        EXPECT_STREQ(info.executor, "application");
+        EXPECT_EQ(info.threads, 2);
+        return ocean;
     }
 };
 

@@ -1,23 +1,11 @@
-// Cascades through the C interface: the transform of each cascade, the meaning of
-// its texels, and copies to an application's memory. The reference is the surface that the planes
-// describe: their Fourier series, summed directly in double.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
+// Cascades through the C interface: the data of each, and copies to an application's memory.
 #include <cstring>
-#include <map>
-#include <numbers>
-#include <random>
 #include <string>
 
-#include "pelagic/tests/capi_cascade_sum.h"
 #include "pelagic/tests/capi_sea.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 pelagic_ocean_options serial_options(const COceanExecutor& serial) {
     auto options = sized<pelagic_ocean_options>();
@@ -135,7 +123,6 @@ TEST_F(CInterfaceCascades, TheFrameHoldsItsCoarsestCascade) {
     EXPECT_EQ(frame.gradient_levels, 0);
     EXPECT_GT(frame.roughness, 0);
     EXPECT_LE(frame.roughness, 1);
-    pelagic_bounds sum{};
     for (std::size_t i = 0; i < 3; ++i) {
         const pelagic_cascade& cascade = cascades[i];
         EXPECT_EQ(cascade.resolution, 32);
@@ -151,25 +138,7 @@ TEST_F(CInterfaceCascades, TheFrameHoldsItsCoarsestCascade) {
             EXPECT_EQ(cascade.level_offset[level], offset);
             offset += 1024u >> 2 * level;
         }
-        const auto highest = [&](const pelagic_plane& plane, double sign) {
-            float max = -1e9f;
-            for (int texel = 0; texel < 1024; ++texel)
-                max = std::max(max, static_cast<float>(sign) * texel_of(plane, texel % 32, texel / 32));
-            return max;
-        };
-        EXPECT_EQ(cascade.bounds.height_max_m, highest(cascade.height, 1));
-        EXPECT_EQ(cascade.bounds.height_min_m, -highest(cascade.height, -1));
-        EXPECT_EQ(cascade.bounds.horizontal_x_max_m, std::max(highest(cascade.dx, 1), highest(cascade.dx, -1)));
-        EXPECT_EQ(cascade.bounds.horizontal_z_max_m, std::max(highest(cascade.dz, 1), highest(cascade.dz, -1)));
-        sum.height_min_m += cascade.bounds.height_min_m;
-        sum.height_max_m += cascade.bounds.height_max_m;
-        sum.horizontal_x_max_m += cascade.bounds.horizontal_x_max_m;
-        sum.horizontal_z_max_m += cascade.bounds.horizontal_z_max_m;
     }
-    EXPECT_FLOAT_EQ(frame.bounds.height_min_m, sum.height_min_m);
-    EXPECT_FLOAT_EQ(frame.bounds.height_max_m, sum.height_max_m);
-    EXPECT_FLOAT_EQ(frame.bounds.horizontal_x_max_m, sum.horizontal_x_max_m);
-    EXPECT_FLOAT_EQ(frame.bounds.horizontal_z_max_m, sum.horizontal_z_max_m);
 }
 
 TEST_F(CInterfaceCascades, OptionsSelectTheDataOfACascade) {
@@ -242,249 +211,16 @@ TEST_F(CInterfaceCascades, CascadesBelongToTheFrameCompletedLast) {
     EXPECT_EQ(cascades_of(ocean.get(), third)[0].side_m, third.patch_size_m);
 }
 
-// ---- Meaning of texels ------------------------------------------------------------
-
-/// A plane as the sum of its waves.
-class Series {
-   public:
-    explicit Series(const pelagic_plane& plane) : n_(plane.resolution), half_(n_ / 2) {
-        const auto rows = static_cast<std::size_t>(n_);
-        std::vector<std::complex<double>> half_done(rows * rows);
-        amplitudes_.resize(rows * rows);
-        for (int j = 0; j < n_; ++j)
-            for (int m = 0; m < n_; ++m)
-                for (int i = 0; i < n_; ++i)
-                    half_done[index(m, j)] +=
-                        static_cast<double>(texel_of(plane, i, j)) * turned(-i * (m - half_)) / (1.0 * n_ * n_);
-        for (int m = 0; m < n_; ++m)
-            for (int n = 0; n < n_; ++n)
-                for (int j = 0; j < n_; ++j)
-                    amplitudes_[index(m, n)] += half_done[index(m, j)] * turned(-j * (n - half_));
-    }
-
-    struct Value {
-        /// derivatives by u and v, of period 1 each, follow the value
-        double value, along, across;
-    };
-    Value at(double u, double v) const {
-        Value sum{};
-        // Waves are three texels or longer, so the first row and column, of wavelength 2, are
-        // empty.
-        for (int n = 1; n < n_; ++n) {
-            for (int m = 1; m < n_; ++m) {
-                const std::complex<double> wave =
-                    amplitudes_[index(m, n)] * std::polar(1.0, 2 * pi * ((m - half_) * u + (n - half_) * v));
-                sum.value += wave.real();
-                sum.along -= 2 * pi * (m - half_) * wave.imag();
-                sum.across -= 2 * pi * (n - half_) * wave.imag();
-            }
-        }
-        return sum;
-    }
-
-   private:
-    std::size_t index(int m, int n) const { return static_cast<std::size_t>(n * n_ + m); }
-    std::complex<double> turned(int texels) const { return std::polar(1.0, 2 * pi * (texels % n_) / n_); }
-    int n_, half_;
-    std::vector<std::complex<double>> amplitudes_;
-};
-
-/// The surface of a cascade's waves.
-class ExactCascade {
-   public:
-    explicit ExactCascade(const pelagic_cascade& cascade)
-        : cascade_(cascade), dx_(cascade.dx), height_(cascade.height), dz_(cascade.dz) {}
-
-    struct Derivatives {
-        double by_x, by_z;
-    };
-    /// h_x, h_z, D_xx, D_zz, D_xz, D_zx.
-    std::array<double, 6> slopes(double x, double z) const {
-        const auto [h_x, h_z] = derivatives(height_, x, z);
-        const auto [d_xx, d_xz] = derivatives(dx_, x, z);
-        const auto [d_zx, d_zz] = derivatives(dz_, x, z);
-        return {h_x, h_z, d_xx, d_zz, d_xz, d_zx};
-    }
-
-   private:
-    Derivatives derivatives(const Series& series, double x, double z) const {
-        const double c = cascade_.cosine, s = cascade_.sine, side_m = cascade_.side_m;
-        const auto [value, along, across] = series.at((c * x + s * z) / side_m, (c * z - s * x) / side_m);
-        return {(c * along - s * across) / side_m, (s * along + c * across) / side_m};
-    }
-
-    pelagic_cascade cascade_;
-    Series dx_, height_, dz_;
-};
-
-double degrees_between(const double (&a)[3], const double (&b)[3]) {
-    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
-    return std::atan2(std::sqrt(x * x + y * y + z * z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180 / pi;
-}
-
-// Bounds as in slopes_test.cpp: the rms error of the summed texture is within 2 degrees for normals
-// and 0.03 for Jacobians.
-TEST_F(CInterfaceCascades, DecodedSlopesSumToTheSurfacesSlopes) {
-    pelagic_sea sea = stack_sea(4, 64);
-    sea.wind_direction_rad = 0.7;
-    const COcean ocean = ocean_of(sea, serial.get());
-    const pelagic_frame frame = complete(ocean, 5);
-    const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
-    const std::vector<ExactCascade> exact_cascades(cascades.begin(), cascades.end());
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> place(-3000, 3000);
-    double normal_squares = 0, jacobian_squares = 0, slope_squares = 0, jacobian_variance = 0, curl = 0, shear = 0;
-    constexpr int points = 60;
-    for (int p = 0; p < points; ++p) {
-        const double x = place(random), z = place(random);
-        double sum[8] = {}, exact[8] = {}, normal[3], exact_normal[3];
-        for (std::size_t t = 0; t < cascades.size(); ++t) {
-            add_slopes(&cascades[t], x, z, sum);
-            const std::array<double, 6> slopes = exact_cascades[t].slopes(x, z);
-            for (std::size_t i = 0; i < 5; ++i) exact[i] += slopes[i];
-            curl += (slopes[4] - slopes[5]) * (slopes[4] - slopes[5]);
-            shear += slopes[4] * slopes[4];
-        }
-        normal_of_slopes(sum, normal);
-        normal_of_slopes(exact, exact_normal);
-        const double across[3] = {exact[4], exact[1], 1 + exact[3]}, along[3] = {1 + exact[2], exact[0], exact[4]};
-        EXPECT_NEAR(exact_normal[0], across[1] * along[2] - across[2] * along[1], 1e-12) << "the tangents' product";
-        EXPECT_NEAR(exact_normal[1], across[2] * along[0] - across[0] * along[2], 1e-12);
-        EXPECT_NEAR(exact_normal[2], across[0] * along[1] - across[1] * along[0], 1e-12);
-        const double degrees = degrees_between(normal, exact_normal);
-        normal_squares += degrees * degrees / points;
-        jacobian_squares += (normal[1] - exact_normal[1]) * (normal[1] - exact_normal[1]) / points;
-        jacobian_variance += (exact_normal[1] - 1) * (exact_normal[1] - 1) / points;
-        slope_squares += (exact[0] * exact[0] + exact[1] * exact[1]) / points;
-        for (const int variance : {5, 6}) EXPECT_GE(sum[variance], 0);
-    }
-    // Horizontal displacement is along the wave vector, so dDx/dz = dDz/dx. A wrong sign of one
-    // axis would break this equality.
-    EXPECT_LT(curl, 1e-8 * shear);
-    EXPECT_GT(slope_squares, 0.01) << "the normal turns by 6 degrees, thrice the bound";
-    EXPECT_GT(jacobian_variance, 0.06 * 0.06) << "twice the bound";
-    EXPECT_LE(std::sqrt(normal_squares), 2);
-    EXPECT_LE(std::sqrt(jacobian_squares), 0.03);
-    RecordProperty("normal_rms_deg", std::to_string(std::sqrt(normal_squares)));
-    RecordProperty("jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
-    RecordProperty("slope_squares", std::to_string(slope_squares));
-    RecordProperty("jacobian_variance", std::to_string(jacobian_variance));
-}
-
-/// The cascade, reduced to one level of its slopes.
-pelagic_cascade level_of(pelagic_cascade cascade, int level) {
-    cascade.slopes_rgba8 += cascade.level_offset[level];
-    cascade.moments_rgba8 += cascade.level_offset[level];
-    cascade.resolution >>= level;
-    return cascade;
-}
-
-// Over a whole cascade the mean slope is zero, and the last level is one texel of the whole: the
-// variance between the texels of a finer level becomes variance within it. The sum is taken from
-// level 1, because level 0 is sharpened for the filter (docs/theory.md).
-TEST_F(CInterfaceCascades, TheLastLevelHasZeroSlopeAndTheTotalVariance) {
-    const COcean ocean = ocean_of(stack_sea(3), serial.get());
-    for (const pelagic_cascade& cascade : cascades_of(ocean.get(), complete(ocean, 3))) {
-        double whole[8] = {};
-        const pelagic_cascade last = level_of(cascade, cascade.levels - 1), first = level_of(cascade, 1);
-        ASSERT_EQ(last.resolution, 1);
-        add_slopes(&last, 0, 0, whole);
-        for (int i = 0; i < 5; ++i)
-            EXPECT_LT(std::fabs(whole[i]), 0.501 * cascade.slope_range / 127) << "half a step";
-        double squares[3] = {};
-        for (int texel = 0; texel < 256; ++texel) {
-            pelagic_cascade one = first;
-            one.slopes_rgba8 += texel, one.moments_rgba8 += texel, one.resolution = 1;
-            double sum[8] = {};
-            add_slopes(&one, 0, 0, sum);
-            squares[0] += (sum[0] * sum[0] + sum[5]) / 256;
-            squares[1] += (sum[1] * sum[1] + sum[6]) / 256;
-            squares[2] += (sum[0] * sum[1] + sum[7]) / 256;
-        }
-        EXPECT_GT(squares[0], 10 * cascade.variance_range / 255);
-        // Half a step of the last texel, plus the mean rounding error of all other texels.
-        for (int i = 0; i < 3; ++i) EXPECT_NEAR(whole[5 + i], squares[i], 0.6 * cascade.variance_range / 127) << i;
-    }
-}
-
-/// A plane of the cascade at reference position (x, z), bilinearly interpolated as pelagic.h
-/// specifies.
-double bilinear(const pelagic_cascade& cascade, const pelagic_plane& plane, double x, double z) {
-    const double u = (cascade.cosine * x + cascade.sine * z) / cascade.side_m * cascade.resolution;
-    const double v = (cascade.cosine * z - cascade.sine * x) / cascade.side_m * cascade.resolution;
-    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v)), mask = cascade.resolution - 1;
-    const double a = u - i, b = v - j;
-    const auto texel = [&](int right, int below) { return texel_of(plane, (i + right) & mask, (j + below) & mask); };
-    return (1 - b) * ((1 - a) * texel(0, 0) + a * texel(1, 0)) + b * ((1 - a) * texel(0, 1) + a * texel(1, 1));
-}
-
-// Without folds there is one surface point above each position, and a query finds it.
-TEST_F(CInterfaceCascades, AQueryReturnsTheDisplacedSumOfCascades) {
-    pelagic_sea sea = stack_sea(3);
-    sea.choppiness = 0.3;
-    const COcean ocean = ocean_of(sea, serial.get());
-    const pelagic_frame frame = complete(ocean, 2);
-    const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
-    constexpr std::size_t count = 200;
-    std::vector<double> x(count), z(count), heights(count);
-    std::mt19937 random(8);
-    std::uniform_real_distribution<double> place(-3000, 3000);
-    for (std::size_t p = 0; p < count; ++p) {
-        const double reference_x = place(random), reference_z = place(random);
-        x[p] = reference_x, z[p] = reference_z;
-        for (const pelagic_cascade& cascade : cascades) {
-            x[p] += bilinear(cascade, cascade.dx, reference_x, reference_z);
-            z[p] += bilinear(cascade, cascade.dz, reference_x, reference_z);
-            heights[p] += bilinear(cascade, cascade.height, reference_x, reference_z);
-        }
-    }
-    std::vector<float> found(count);
-    auto asked = sized<pelagic_points>();
-    asked.count = count, asked.x = x.data(), asked.z = z.data();
-    auto samples = sized<pelagic_samples>();
-    samples.height_m = found.data();
-    ASSERT_EQ(pelagic_ocean_query(ocean.get(), &asked, &samples), PELAGIC_OK) << pelagic_last_error();
-    for (std::size_t p = 0; p < count; ++p) EXPECT_NEAR(found[p], heights[p], 1e-3) << "the query's tolerance";
-}
-
 // ---- An application's memory ------------------------------------------------------
-
-/// All data of a cascade of a stack.
-struct StackArrays {
-    explicit StackArrays(std::size_t side)
-        : planes(6, std::vector<float>(side * side)), halves(4 * side * side), chain((4 * side * side - 1) / 3) {
-        slopes = moments = gradients = chain;
-    }
-    pelagic_frame_buffers view() {
-        auto buffers = sized<pelagic_frame_buffers>();
-        buffers.plane_count = planes[0].size();
-        buffers.dx = planes[0].data(), buffers.height = planes[1].data(), buffers.dz = planes[2].data();
-        buffers.velocity_x = planes[3].data();
-        buffers.velocity_y = planes[4].data();
-        buffers.velocity_z = planes[5].data();
-        buffers.rgba16f_count = halves.size();
-        buffers.displacement_rgba16f = halves.data();
-        buffers.rgba8_count = buffers.slopes_count = chain.size();
-        buffers.gradient_rgba8 = gradients.data();
-        buffers.slopes_rgba8 = slopes.data();
-        buffers.moments_rgba8 = moments.data();
-        return buffers;
-    }
-    bool operator==(const StackArrays&) const = default;
-
-    std::vector<std::vector<float>> planes;
-    std::vector<std::uint16_t> halves;
-    std::vector<std::uint32_t> chain, gradients, slopes, moments;
-};
 
 TEST_F(CInterfaceCascades, ACopyWritesEachCascadeToItsOwnBuffers) {
     pelagic_ocean_options options = serial_options(serial);
     options.velocities = options.gradients = 1;
     const COcean ocean = ocean_of(stack_sea(3), options);
-    std::vector<StackArrays> arrays(3, StackArrays(32)), computed = arrays;
+    std::vector<FrameArrays> arrays(3, FrameArrays(32, true)), computed = arrays;
     std::vector<pelagic_frame_buffers> copies, to;
-    for (StackArrays& cascade : arrays) copies.push_back(cascade.view());
-    for (StackArrays& cascade : computed) to.push_back(cascade.view());
+    for (FrameArrays& cascade : arrays) copies.push_back(cascade.view());
+    for (FrameArrays& cascade : computed) to.push_back(cascade.view());
     copies[0].cascade_count = to[0].cascade_count = 3;
 
     const pelagic_frame frame = complete(ocean, 4);
@@ -496,7 +232,7 @@ TEST_F(CInterfaceCascades, ACopyWritesEachCascadeToItsOwnBuffers) {
     const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
     for (std::size_t t = 0; t < 3; ++t) {
         const pelagic_cascade& cascade = cascades[t];
-        const StackArrays& copy = arrays[t];
+        const FrameArrays& copy = arrays[t];
         const pelagic_plane* planes[6] = {&cascade.dx,         &cascade.height,     &cascade.dz,
                                           &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z};
         for (std::size_t p = 0; p < 6; ++p)
@@ -504,9 +240,9 @@ TEST_F(CInterfaceCascades, ACopyWritesEachCascadeToItsOwnBuffers) {
                 ASSERT_EQ(copy.planes[p][static_cast<std::size_t>(texel)],
                           texel_of(*planes[p], texel % 32, texel / 32));
         EXPECT_EQ(std::memcmp(cascade.displacement_rgba16f, copy.halves.data(), 2 * copy.halves.size()), 0);
-        EXPECT_EQ(std::memcmp(cascade.gradient_rgba8, copy.gradients.data(), 4 * copy.chain.size()), 0);
-        EXPECT_EQ(std::memcmp(cascade.slopes_rgba8, copy.slopes.data(), 4 * copy.chain.size()), 0);
-        EXPECT_EQ(std::memcmp(cascade.moments_rgba8, copy.moments.data(), 4 * copy.chain.size()), 0);
+        EXPECT_EQ(std::memcmp(cascade.gradient_rgba8, copy.bytes.data(), 4 * copy.bytes.size()), 0);
+        EXPECT_EQ(std::memcmp(cascade.slopes_rgba8, copy.slopes.data(), 4 * copy.slopes.size()), 0);
+        EXPECT_EQ(std::memcmp(cascade.moments_rgba8, copy.moments.data(), 4 * copy.slopes.size()), 0);
     }
     EXPECT_NE(arrays[0], arrays[1]);
 }
@@ -527,7 +263,7 @@ TEST_F(CInterfaceCascades, CascadesOfFrameAtAreAvailableBeforeTheFirstComplete) 
 TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
     const COcean ocean = ocean_of(stack_sea(2), serial_options(serial));
     complete(ocean, 0);
-    std::vector<StackArrays> arrays(2, StackArrays(32));
+    std::vector<FrameArrays> arrays(2, FrameArrays(32, true));
     const auto expect_line = [&](const std::string& line, void (*change)(pelagic_frame_buffers*)) {
         pelagic_frame_buffers buffers[2] = {arrays[0].view(), arrays[1].view()};
         buffers[0].cascade_count = 2;
@@ -538,7 +274,7 @@ TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
             EXPECT_EQ(pelagic_ocean_copy(ocean.get(), buffers), PELAGIC_OK) << pelagic_last_error();
             return;
         }
-        const std::vector<StackArrays> before = arrays;
+        const std::vector<FrameArrays> before = arrays;
         expect_rejected(pelagic_ocean_copy(ocean.get(), buffers), line);
         expect_rejected(pelagic_ocean_frame_at(ocean.get(), 1, buffers, nullptr), line);
         EXPECT_EQ(arrays, before) << "nothing was written";

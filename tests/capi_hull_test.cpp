@@ -1,8 +1,6 @@
 // Hulls through the C interface: bit-identical to those of the C++ interface, and one line for each
 // unusable mesh.
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "pelagic/sim/ocean.hpp"
@@ -13,35 +11,14 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-TEST(CInterfaceHull, FloatsByArchimedes) {
-    // 4 x 1 x 2 m and half of the water's density: in closed form draught 0.5 m, GM of roll
-    // b^2 / (12 T) - (h - T) / 2 with b = 2 m, T = 0.5 m, h = 1 m.
-    const CHull hull = hull_of(HullArrays(box_soup({4, 1, 2})), hull_options(4 * 1 * 2 * 0.5 * 1025));
-    auto info = sized<pelagic_hull_info>();
-    ASSERT_EQ(pelagic_hull_describe(hull.get(), &info), PELAGIC_OK);
-    EXPECT_EQ(info.floats, 1);
-    EXPECT_NEAR(info.volume_m3, 8, 1e-12);
-    EXPECT_NEAR(info.draught_m, 0.5, 1e-12);
-    EXPECT_NEAR(info.waterplane_m2, 8, 1e-12);
-    EXPECT_NEAR(info.roll_gm_m, 4 / (12 * 0.5) - 0.25, 1e-12);
-    EXPECT_NEAR(info.pitch_gm_m, 16 / (12 * 0.5) - 0.25, 1e-12);
-    EXPECT_EQ(info.mass_kg, 4100);
-    EXPECT_EQ(info.minimum_m[0], -2);
-    EXPECT_EQ(info.maximum_m[2], 1);
-    EXPECT_EQ(info.vertex_count, 8) << "24 corners of faces, merged";
-    EXPECT_EQ(info.triangle_count, 12);
-    for (const double centre : info.centre_m) EXPECT_NEAR(centre, 0, 1e-15);
-
-    const pelagic_hull_state state = at_rest(hull, 7, -3, std::numbers::pi / 2);
-    EXPECT_EQ(state.position_m[0], 7);
-    EXPECT_EQ(state.position_m[1], info.height_m);
-    EXPECT_NEAR(state.orientation[1], -std::sqrt(0.5), 1e-6) << "from +x to +z is a negative rotation about y";
-    EXPECT_NEAR(state.orientation[3], std::sqrt(0.5), 1e-6);
-
+TEST(CInterfaceHull, SinksIfItIsHeavierThanItsVolume) {
     const CHull stone = hull_of(HullArrays(box_soup({4, 1, 2})), hull_options(20'000));
+    auto info = sized<pelagic_hull_info>();
     ASSERT_EQ(pelagic_hull_describe(stone.get(), &info), PELAGIC_OK);
     EXPECT_EQ(info.floats, 0);
     EXPECT_EQ(info.draught_m, 0);
+    EXPECT_EQ(info.vertex_count, 8) << "24 corners of faces, merged";
+    EXPECT_EQ(info.triangle_count, 12);
 }
 
 TEST(CInterfaceHull, OptionsHaveTheDefaultsAndEffectsOfTheCppInterface) {
@@ -180,26 +157,6 @@ TEST(CInterfaceHull, UnusableMeshesAndOptionsAreRejectedWithALine) {
     rejects(open,
             "the hull is open at the edge between vertices 3 and 7, expected a closed mesh (close an open boat "
             "with a lid)");
-    HullArrays inwards = box;
-    for (std::size_t i = 0; i < inwards.triangles.size(); i += 3)
-        std::swap(inwards.triangles[i], inwards.triangles[i + 1]);
-    rejects(inwards, "the hull's volume is -2 m^3: its triangles are wound inwards");
-    HullArrays one_inwards = box;
-    std::swap(one_inwards.triangles[0], one_inwards.triangles[1]);
-    const pelagic_hull_mesh mixed = one_inwards.mesh();
-    EXPECT_EQ(pelagic_hull_create(&mixed, &options, &hull), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(pelagic_last_error()).find("in the same direction"), std::string::npos);
-    // An octahedron whose corners all lie in a plane.
-    HullArrays flat(std::vector<glm::dvec3>{{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}, {0.1, 0, 0}, {-0.1, 0, 0}},
-                    {{4, 0, 1}, {4, 1, 2}, {4, 2, 3}, {4, 3, 0}, {5, 1, 0}, {5, 2, 1}, {5, 3, 2}, {5, 0, 3}});
-    rejects(flat, "the hull's volume is 0 m^3, expected at least 1e-9");
-    HullArrays unset = box;
-    unset.vertices_m[4] = not_a_number;
-    rejects(unset, "vertex 1: y nan is out of range [-1000, 1000] m");
-    HullArrays beyond = box;
-    beyond.triangles[5] = 24;
-    rejects(beyond, "triangle 1 of the hull has vertex 24, expected less than 24");
-
     // Counts are checked before arrays are read, which do not exist here.
     auto mesh = box.mesh();
     mesh.triangle_count = 1'000'000;

@@ -5,14 +5,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pelagic/capi/c_sea.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/capi_cascade_sum.h"
 #include "pelagic/tests/capi_sea.hpp"
 
 namespace pelagic::capi {
@@ -73,6 +76,7 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
         if (has_all) {
             EXPECT_EQ(hash, foam_hash_of(frame));
         }
+        EXPECT_EQ(std::memcmp(&c_frame.bounds, &frame.bounds, sizeof c_frame.bounds), 0);
         for (std::size_t t = 0; t < 4; ++t) {
             pelagic_cascade c{};
             c.struct_size = sizeof c;
@@ -95,10 +99,35 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
             expect_same(c.slopes_rgba8, cascade.slopes_rgba8);
             expect_same(c.moments_rgba8, cascade.moments_rgba8);
             expect_same(c.compression_r8, cascade.compression_r8);
+            EXPECT_EQ(std::memcmp(&c.bounds, &cascade.bounds, sizeof c.bounds), 0);
         }
         pelagic_ocean_destroy(made);
     }
     pelagic_executor_destroy(executor);
+}
+
+// SlopeSum and SlopeMips of slopes_test.cpp compare the texels with the exact surface.
+TEST(CInterfaceInside, SlopesOfTheExampleInCAreThoseOfTheCppInterface) {
+    const COcean c_ocean = ocean_of(stack_sea(2), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
+    complete(c_ocean, 5);
+    Ocean ocean({.cascades = 2, .resolution = 32}, {.executor = make_serial_executor()});
+    const Cascade& cascade = ocean.frame_at(5).cascades[1];
+    auto c = sized<pelagic_cascade>();
+    ASSERT_EQ(pelagic_ocean_cascade(c_ocean.get(), 1, &c), PELAGIC_OK);
+    for (const auto& [i, j] : {std::pair{0, 0}, {7, 3}, {31, 16}}) {
+        const double texel_m = c.side_m / 32;
+        double sum[8] = {}, normal[3];
+        add_slopes(&c, (c.cosine * i - c.sine * j) * texel_m, (c.sine * i + c.cosine * j) * texel_m, sum);
+        normal_of_slopes(sum, normal);
+        const std::size_t texel = static_cast<std::size_t>(32 * j + i);
+        const SurfaceSlopes of =
+            slopes_of_texel(cascade.slopes_rgba8[texel], cascade.moments_rgba8[texel], cascade.slope_ranges);
+        const double expected[] = {of.h_x, of.h_z, of.d_xx, of.d_zz, of.d_xz, of.var_xx, of.var_zz, of.cov_xz};
+        for (int part = 0; part < 8; ++part) EXPECT_NEAR(sum[part], expected[part], 1e-9) << "rounding of positions";
+        EXPECT_NEAR(normal[0], normal_of(of).x, 1e-9);
+        EXPECT_NEAR(normal[1], normal_of(of).y, 1e-9);
+        EXPECT_NEAR(normal[2], normal_of(of).z, 1e-9);
+    }
 }
 
 TEST(CInterfaceInside, StatisticsEqualThoseOfTheCppInterface) {
@@ -163,40 +192,6 @@ TEST(CInterfaceInside, PresetsAreThoseOfTheLibrary) {
         ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &sea), PELAGIC_OK);
         EXPECT_EQ(hash_of(Ocean(sea_of(&sea)).frame_at(1)), hash_of(Ocean(preset.sea).frame_at(1))) << preset.name;
     }
-}
-
-// Bit-identical to SurfaceQuery with the given interpolation.
-TEST(CInterfaceInside, QueriesUseTheGivenInterpolation) {
-    const COcean ocean = ocean_of(small_sea(64), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
-    auto frame = sized<pelagic_frame>();
-    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 5), PELAGIC_OK);
-    ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
-    const std::vector<double> x = {1.25, -30.5, 77}, z = {2.75, 14, -3.5};
-    const auto heights_by = [&](std::int32_t interpolation) {
-        auto points = sized<pelagic_points>();
-        points.count = x.size(), points.x = x.data(), points.z = z.data();
-        points.interpolation = interpolation;
-        auto samples = sized<pelagic_samples>();
-        std::vector<float> heights(x.size());
-        samples.height_m = heights.data();
-        EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
-        return heights;
-    };
-    Ocean cpp({.resolution = 64, .patch_size_m = 250}, {.executor = make_serial_executor(), .queries = true});
-    const auto expected = [&](Interpolation interpolation) {
-        std::vector<float> heights(x.size());
-        SurfaceQuery(cpp.frame_at(5), {.interpolation = interpolation}).sample({x, z}, {.height_m = heights});
-        return heights;
-    };
-    const std::vector<float> linear = expected(Interpolation::linear), cubic = expected(Interpolation::cubic);
-    EXPECT_NE(linear, cubic);
-    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_LINEAR), linear);
-    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_CUBIC), cubic);
-    auto points = sized<pelagic_points>();
-    auto samples = sized<pelagic_samples>();
-    points.interpolation = 2;
-    EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(pelagic_last_error()).find("points.interpolation is 2, expected"), std::string::npos);
 }
 
 }  // namespace

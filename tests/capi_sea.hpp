@@ -110,12 +110,14 @@ inline float texel_of(const pelagic_plane& plane, int i, int j) {
     return plane.data[i / plane.block_columns * plane.block_stride + j * plane.row_stride + i % plane.block_columns];
 }
 
-/// Arrays for pelagic_ocean_frame_at(), of the required sizes.
+/// Arrays of a cascade for pelagic_ocean_frame_at(), of the required sizes.
 struct FrameArrays {
-    explicit FrameArrays(std::int32_t resolution)
+    explicit FrameArrays(std::int32_t resolution, bool has_slopes = false)
         : planes(6, std::vector<float>(static_cast<std::size_t>(resolution) * resolution)),
           halves(4 * planes[0].size()),
-          bytes((4 * planes[0].size() - 1) / 3) {}
+          bytes((4 * planes[0].size() - 1) / 3),
+          slopes(has_slopes ? bytes.size() : 0),
+          moments(slopes.size()) {}
 
     pelagic_frame_buffers view() {
         auto buffers = sized<pelagic_frame_buffers>();
@@ -128,13 +130,16 @@ struct FrameArrays {
         buffers.displacement_rgba16f = halves.data();
         buffers.rgba8_count = bytes.size();
         buffers.gradient_rgba8 = bytes.data();
+        buffers.slopes_count = slopes.size();
+        buffers.slopes_rgba8 = slopes.empty() ? nullptr : slopes.data();
+        buffers.moments_rgba8 = moments.empty() ? nullptr : moments.data();
         return buffers;
     }
     bool operator==(const FrameArrays&) const = default;
 
     std::vector<std::vector<float>> planes;
     std::vector<std::uint16_t> halves;
-    std::vector<std::uint32_t> bytes;
+    std::vector<std::uint32_t> bytes, slopes, moments;
 };
 
 }  // namespace pelagic

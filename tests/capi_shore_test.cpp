@@ -2,10 +2,8 @@
 #include <algorithm>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/capi_sea.hpp"
 #include "pelagic/tests/shores.hpp"
 
@@ -82,16 +80,6 @@ TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
     EXPECT_TRUE(same(surface.potential_m2ps, frame.shore.potential_m2ps));
     EXPECT_TRUE(same(surface.reach_m, frame.shore.reach_m));
     EXPECT_TRUE(same(surface.foam, frame.shore.foam));
-
-    const std::vector<double> x = {0, 120, 290, -400}, z = {100, 200, 150, 0};
-    std::vector<float> height(4), foam(4), expected_height(4);
-    auto points = sized<pelagic_points>();
-    points.count = 4, points.x = x.data(), points.z = z.data();
-    auto samples = sized<pelagic_samples>();
-    samples.height_m = height.data();
-    ASSERT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
-    SurfaceQuery(frame).sample({x, z}, {.height_m = expected_height});
-    EXPECT_EQ(height, expected_height);
 }
 
 TEST_F(CInterfaceShore, ASwashOf0IsDerived) {

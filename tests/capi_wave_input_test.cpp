@@ -79,21 +79,6 @@ COcean ocean_with(const pelagic_sea& sea, std::vector<CInput> inputs) {
     return ocean_of(sea, options);
 }
 
-TEST(CInterfaceInputs, AWaveMatchesItsFormula) {
-    const OneWave wave;
-    std::vector<CInput> inputs;
-    inputs.push_back(waves_input(wave.as_waves()));
-    const COcean ocean = ocean_with(flat_sea(), std::move(inputs));
-    const pelagic_frame frame = complete(ocean, 12.5);
-    const double x = 5 / std::sqrt(34.0);
-    for (int j = 0; j < 64; j += 3)
-        for (int i = 0; i < 64; ++i) {  // the wind waves themselves are micrometres high
-            const double angle = wave.angle(i, j, 64, 12.5);
-            EXPECT_NEAR(texel_of(frame.height, i, j), 1.5 * std::cos(angle), 1e-3);
-            EXPECT_NEAR(texel_of(frame.dx, i, j), -1.5 * x * std::sin(angle), 1e-3);
-        }
-}
-
 TEST(CInterfaceInputs, ACallbackMatchesAWaveList) {
     const OneWave wave;
     // The height of the wave, and a vertical velocity with another amplitude, from a C callback.
