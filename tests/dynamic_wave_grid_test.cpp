@@ -5,12 +5,10 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iomanip>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,10 +16,10 @@
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
+#include "pelagic/tests/golden.hpp"
 #include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/sweep.hpp"
-#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
@@ -81,19 +79,11 @@ TEST(DynamicWaveReplay, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
     }
 }
 
-// tests/golden/dynamic_waves.txt holds the hashes that every compiler, processor and version must
-// reproduce.
 TEST(DynamicWaveReplay, HasTheGoldenHash) {
-    std::ifstream golden(in_sources("tests/golden/dynamic_waves.txt"));
-    int lines = 0;
-    for (std::string name, hash; golden >> name >> hash; ++lines) {
-        const DynamicWavesStep step = name == "spectral" ? DynamicWavesStep::spectral : DynamicWavesStep::verlet;
-        std::ostringstream found;
-        found << std::hex << std::setw(16) << std::setfill('0')
-              << replayed(small(step), choose_isa(), make_serial_executor());
-        EXPECT_EQ(found.str(), hash) << name;
-    }
-    EXPECT_EQ(lines, 2);
+    GoldenRows rows("dynamic-waves");
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet})
+        rows.row(std::string(name_of(step)), {replayed(small(step), choose_isa(), make_serial_executor())});
+    rows.expect();
 }
 
 TEST(GridPlacementMoves, KeepTexelsThatStayInsideTheGrid) {

@@ -25,6 +25,18 @@ inline ShoreOptions beach(double long_m, double wide_m, double depth_m, double f
                     });
 }
 
+/// A beach with an island in front of it, of the golden values.
+inline ShoreOptions bay() {
+    ShoreOptions shore = shore_of(81, 61, 5, [](double x, double z) {
+        const double from_x = x - 150, from_z = z - 120, squared = (from_x * from_x + from_z * from_z) / 1600;
+        return -12 + x * 0.035 + 16 / (1 + squared * squared);
+    });
+    shore.corner_x_m = -170;
+    shore.corner_z_m = -130;
+    shore.resolution = 64;
+    return shore;
+}
+
 /// A round island with steep sides in water of one depth, at the centre of a square.
 inline ShoreOptions island(double side_m, double radius_m, double depth_m, double metres_a_sample) {
     const int samples = static_cast<int>(side_m / metres_a_sample) + 1;

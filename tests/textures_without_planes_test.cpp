@@ -2,10 +2,7 @@
 // planes, to the bit. The reference is the path with planes, whose golden hashes other tests check.
 #include <algorithm>
 #include <cstring>
-#include <fstream>
-#include <map>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -18,9 +15,9 @@
 #include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
+#include "pelagic/tests/golden.hpp"
 #include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/sanitized.hpp"
-#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
@@ -136,22 +133,14 @@ TEST(TexturesWithoutPlanes, AreIdenticalDuringASeaStateTransition) {
         EXPECT_EQ(difference(with.frame_at(time_s), without.frame_at(time_s)), "") << time_s;
 }
 
-// A change of these hashes changes every user's textures; its commit message must give the reason.
 TEST(TexturesWithoutPlanes, HaveTheGoldenHashes) {
-    std::map<std::string, std::string> golden;
-    std::ifstream file(in_sources("tests/golden/textures.txt"));
-    for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
-    std::size_t compared = 0;
+    GoldenRows rows("texture");
     for (const int cascades : {1, 4})
         for (const int n : {128, 256, 512}) {
             Ocean ocean(textured_sea(cascades, n), {.executor = make_serial_executor(), .planes = false});
-            std::ostringstream hash;
-            hash << std::hex << hash_of(ocean.frame_at(12.34));
-            const std::string key = std::to_string(cascades) + "x" + std::to_string(n) + "@12.34";
-            EXPECT_EQ(golden[key], hash.str()) << "the line would be: " << key << " " << hash.str();
-            ++compared;
+            rows.row(std::to_string(cascades) + "x" + std::to_string(n), {hash_of(ocean.frame_at(12.34))});
         }
-    EXPECT_EQ(golden.size(), compared) << "lines that no test reads";
+    rows.expect();
 }
 
 TEST(TexturesWithoutPlanes, TakeLessMemory) {

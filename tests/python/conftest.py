@@ -1,15 +1,34 @@
-"""Shared by the tests of the Python package: the native command, and the seas of the golden hashes.
-"""
+"""Shared by the tests of the Python package: the native command, golden values and their seas."""
 
 import os
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pelagic
 import pytest
 
 SOURCE = Path(__file__).resolve().parents[2]
 GOLDEN = dict(line.split() for line in (SOURCE / "tests/golden/hashes.txt").read_text().splitlines())
+
+# The scene of tests/golden_values_test.cpp.
+SMALL_SEA = pelagic.Sea(cascades=3, resolution=32, wind_speed_mps=8, loop_period_s=40)
+BOX = [(x, y, z) for x in (-2, 2) for y in (-0.5, 0.5) for z in (-1, 1)]
+BOX_TRIANGLES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
+
+
+def bay():
+    """Returns a beach with an island in front of it."""
+    z, x = 5.0 * np.mgrid[:61, :81]
+    squared = ((x - 150) ** 2 + (z - 120) ** 2) / 1600
+    heights_m = (-12 + x * 0.035 + 16 / (1 + squared * squared)).astype(np.float32)
+    return pelagic.ShoreOptions(heights_m, metres_a_sample=5, corner_x_m=-170, corner_z_m=-130, resolution=64)
+
+
+def golden_rows(kind):
+    """Returns the rows of tests/golden/values.txt by name."""
+    rows = (line.split(" ", 2) for line in (SOURCE / "tests/golden/values.txt").read_text().splitlines())
+    return {name: numbers for of, name, numbers in rows if of == kind}
 
 
 def run_pelagic(*arguments, given=None):

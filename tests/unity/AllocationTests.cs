@@ -10,7 +10,7 @@ public static class AllocationTests
     {
         double[] x = new double[16], z = new double[16];
         var height = new float[16];
-        QueryTests.Points(x, z);
+        for (var i = 0; i < 16; ++i) x[i] = 37.5 * i;
         var sum = 0f;
         long bytes = 0;
         collections = 0;

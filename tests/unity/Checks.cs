@@ -40,9 +40,16 @@ public static class Check
     }
 }
 
-/// <summary>Values that the test's driver wrote: golden hashes, and results of the C interface.</summary>
+/// <summary>Values that the test's driver wrote: golden hashes and values, and the layout of C.</summary>
 public static class Expected
 {
+    /// <summary>The bits of floats, doubles and hashes, as rows of tests/golden/values.txt have them.</summary>
+    public static string Bits(params object[] numbers)
+    {
+        return string.Join(",", numbers.Select(number => number is float ? BitConverter.ToUInt32(BitConverter.GetBytes((float)number), 0).ToString("x8")
+            : number is double ? BitConverter.DoubleToInt64Bits((double)number).ToString("x16") : ((ulong)number).ToString("x16")));
+    }
+
     private static readonly Dictionary<string, string> values = new Dictionary<string, string>();
 
     public static void Read(string file)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Pelagic;
 
 public static unsafe class GoldenTests
@@ -142,8 +143,19 @@ public static unsafe class GoldenTests
         }
     }
 
-    [Test]
-    public static void AShoreHasTheGoldenHashes()
+    /// <summary>The sea, the shore and the points of tests/golden_values_test.cpp.</summary>
+    public static Sea SmallSea()
+    {
+        return Of(box =>
+        {
+            box.Sea.Cascades = 3;
+            box.Sea.Resolution = 32;
+            box.Sea.WindSpeedMps = 8;
+            box.Sea.LoopPeriodS = 40;
+        });
+    }
+
+    private static ShoreOptions Bay()
     {
         var shore = new ShoreOptions { Columns = 81, Rows = 61, MetresASample = 5, CornerXM = -170, CornerZM = -130, Resolution = 64 };
         shore.HeightsM = new float[81 * 61];
@@ -153,14 +165,15 @@ public static unsafe class GoldenTests
                 double x = 5 * i, fromX = x - 150, fromZ = 5 * j - 120, squared = (fromX * fromX + fromZ * fromZ) / 1600;
                 shore.HeightsM[j * 81 + i] = (float)(-12 + x * 0.035 + 16 / (1 + squared * squared));
             }
-        var sea = Of(box =>
-        {
-            box.Sea.Cascades = 3;
-            box.Sea.Resolution = 32;
-            box.Sea.WindSpeedMps = 8;
-            box.Sea.LoopPeriodS = 40;
-        });
-        using (var ocean = new Ocean(sea, new OceanOptions { Shore = shore, Queries = true }))
+        return shore;
+    }
+
+    private static readonly double[] pointsX = { 1.5, -7.25, 12, 3, 60, 150.5, -60, 400 }, pointsZ = { 0.25, 4, -9.75, -2, 40.5, 10, 100, -1000 };
+
+    [Test]
+    public static void AShoreHasTheGoldenHashes()
+    {
+        using (var ocean = new Ocean(SmallSea(), new OceanOptions { Shore = Bay(), Queries = true }))
             foreach (var time in new[] { "0", "7.3" })
             {
                 var surface = FrameAt(ocean, double.Parse(time)).Shoreline;
@@ -220,7 +233,7 @@ public static unsafe class GoldenTests
                 Note(ocean, 4.321, found);
                 rings.SetRings(new Ripple { XM = -3, ZM = 1e6, WavelengthM = 13, AmplitudeM = 0.25, PhaseRad = 1 });
                 Note(ocean, 4.444, found);
-                for (var i = 0; i < found.Count; ++i) Check.Equal(found[i], Expected.Hash($"input {named.Key} {i}"), $"{named.Key} {i}");
+                Check.Equal(Expected.Bits(found.Cast<object>().ToArray()), Expected.Text("input " + named.Key), named.Key);
             }
         }
     }
@@ -234,43 +247,110 @@ public static unsafe class GoldenTests
     }
 
     [Test]
-    public static void DynamicWavesHaveTheHashOfTheCInterface()
+    public static void AnOceanHasTheGoldenValues()
     {
         var options = DynamicWavesOptions.Default;
         options.Resolution = 64;
-        var boat = Disturbance.Default;
+        options.BorderM = 8;
+        Disturbance boat = Disturbance.Default, stone = boat, foam = boat;
         boat.Shape = Shape.Hull;
         boat.XM = -10;
+        boat.ZM = 5;
         boat.LengthM = 4;
         boat.HeightM = -0.5;
         boat.VelocityXMps = 6;
-        var stone = Disturbance.Default;
         stone.Mode = DisturbanceKind.Impulse;
+        stone.XM = 3;
+        stone.ZM = -2;
+        stone.RadiusM = 2;
         stone.HeightM = 0.4;
-        using (var waves = new DynamicWaves(options))
+        foam.Mode = DisturbanceKind.Foam;
+        foam.XM = 12;
+        foam.ZM = -10;
+        foam.HeightM = 0.3;
+        Rain rain = Rain.Default, dry = rain;
+        rain.DropsPerM2S = 0.5;
+        rain.RadiusM = 1;
+        rain.HeightM = 0.1;
+        rain.Seed = 3;
+        using (var ocean = new Ocean(SmallSea(), new OceanOptions { Queries = true, Velocities = true, Foam = true, DynamicWaves = options, Shore = Bay() }))
         {
-            waves.Advance(0);
-            waves.AddSource(boat);
-            waves.AddImpulse(stone);
-            waves.Advance(0.25);
-            var state = waves.SaveState();
-            waves.Advance(0.5);
-            Check.Equal(waves.Hash(), Expected.Hash("dynamic waves"), "dynamic waves");
-            waves.RestoreState(state);
-            waves.Advance(0.5);
-            Check.Equal(waves.Hash(), Expected.Hash("dynamic waves"), "restored dynamic waves");
-            float highest = 0;
-            foreach (var height in waves.View.HeightM) highest = Math.Max(highest, height);
-            Check.Equal(highest, Math.Max(0, waves.View.HeightMaxM), "highest wave");
+            var waves = ocean.DynamicWaves;
+            waves.SetCenter(0.75, -1);
+            for (var tick = 0; tick <= 60; ++tick)
+            {
+                if (tick == 3) waves.AddImpulse(stone);
+                if (tick == 5) Check.Equal(waves.AddSource(boat), 1u, "a number");
+                if (tick == 19) boat.HeightM = -1;
+                if (tick == 20) waves.SetSource(1, boat);
+                if (tick == 25) waves.SetRain(rain);
+                if (tick == 30) waves.AddImpulse(foam);
+                if (tick == 40)
+                {
+                    waves.RemoveSource(1);
+                    waves.SetRain(dry);
+                }
+                FrameAt(ocean, tick / 60.0);
+                if (tick % 10 == 0)
+                    Check.Equal(Expected.Bits(ocean.Hash(), ocean.FoamHash(), waves.Hash(), ocean.ShoreHash()), Expected.Text("waves " + tick), "tick " + tick);
+                if (tick != 50) continue;
+                var state = waves.SaveState();
+                FrameAt(ocean, 52 / 60.0);
+                waves.RestoreState(state);
+            }
+            foreach (var interpolation in new[] { Interpolation.Linear, Interpolation.Cubic })
+            {
+                var of = Enumerable.Range(0, 10).Select(_ => new float[8]).ToArray();
+                var converged = new byte[8];
+                ocean.Query(pointsX, pointsZ, new Samples
+                {
+                    HeightM = of[0], NormalX = of[1], NormalY = of[2], NormalZ = of[3], VelocityXMps = of[4], VelocityYMps = of[5], VelocityZMps = of[6],
+                    Jacobian = of[7], ErrorM = of[8], Foam = of[9], Converged = converged,
+                }, interpolation);
+                for (var i = 0; i < 8; ++i)
+                {
+                    var row = of.Select(values => (object)values[i]).Append((float)converged[i]).ToArray();
+                    Check.Equal(Expected.Bits(row), Expected.Text($"{interpolation.ToString().ToLower()} {i}"), $"sample {i}");
+                    if (interpolation == Interpolation.Linear) Check.Equal(ocean.HeightAt(pointsX[i], pointsZ[i]), of[0][i], "HeightAt()");
+                }
+            }
+            for (var i = 0; i < 2; ++i)
+            {
+                var hit = ocean.FirstHit(new Ray { OriginXM = i == 0 ? 1.5 : 150.5, OriginYM = 12, OriginZM = -7, DirectionX = 1, DirectionY = -0.5, DirectionZ = 0.25, ReachM = 500 });
+                Check.Equal(Expected.Bits(hit.DistanceM, hit.PositionXM, hit.PositionYM, hit.PositionZM), Expected.Text("ray " + i), "a hit");
+            }
         }
     }
 
     [Test]
-    public static void TheSampleComputesTheFramesOfTheCInterface()
+    public static void ATransitionHasTheGoldenHashes()
+    {
+        var later = SmallSea();
+        later.WindSpeedMps = 6;
+        using (var ocean = new Ocean(SmallSea()))
+        {
+            ocean.ScheduleChange(new Change { Sea = later, FromS = 10, OverS = 20 });
+            foreach (var time in new[] { "5", "17.5", "40" })
+            {
+                FrameAt(ocean, double.Parse(time));
+                Check.Equal(ocean.Hash(), Expected.Hash("transition " + time), "transition at " + time);
+            }
+        }
+    }
+
+    [Test]
+    public static void TheSampleComputesItsFrames()
     {
         var lines = new List<string>();
         FrameLoop.Run(lines.Add);
         Check.Equal(lines.Count, 5, "lines");
-        for (var i = 0; i < 5; ++i) Check.True(lines[i].Contains("hash " + Expected.Text($"frame loop {i}")), lines[i]);
+        var sea = Sea.Default;
+        sea.WindSpeedMps = 9;
+        using (var ocean = new Ocean(sea))
+            for (var i = 0; i < 5; ++i)
+            {
+                FrameAt(ocean, i / 90.0);
+                Check.True(lines[i].Contains($"hash {ocean.Hash():x16}"), lines[i]);
+            }
     }
 }

@@ -87,26 +87,6 @@ public static class LifetimeTests
     }
 
     [Test]
-    public static void FoamOfADisturbanceHasNoWaves()
-    {
-        var options = DynamicWavesOptions.Default;
-        options.Resolution = 64;
-        using (var ocean = new Ocean(Sea.Default, new OceanOptions { DynamicWaves = options }))
-        {
-            var foam = Disturbance.Default;
-            foam.Mode = DisturbanceKind.Foam;
-            foam.RadiusM = 4;
-            foam.HeightM = 0.3;
-            GoldenTests.FrameAt(ocean, 0);
-            ocean.DynamicWaves.AddImpulse(foam);
-            var view = GoldenTests.FrameAt(ocean, 2 / 60.0).DynamicWaves;
-            // half of the range from FoamHeightM, 0.2 m, to twice that, less a tick's decay
-            Check.True(Math.Abs(view.Foam[0] - 255 / 2) <= 4, "foam " + view.Foam[0]);
-            Check.True(view.Foam[8] == 0 && view.HeightMinM == 0 && view.HeightMaxM == 0, "foam without waves");
-        }
-    }
-
-    [Test]
     public static void ADisposedObjectThrows()
     {
         var ocean = new Ocean(Sea.Default, new OceanOptions { Queries = true });

@@ -1,5 +1,5 @@
 // The seas of tests/golden/hashes.txt, for tests in node and in pages. Its hashes of queries are
-// for points of the C++ tests; package_test.mjs compares queries with the native command instead.
+// for points of the C++ tests; ocean_parts.js has those of tests/golden/values.txt.
 
 const oneCascade = { resolution: 64, patchSizeM: 250 };
 const seas = { default: {} };

@@ -2,46 +2,78 @@
 // createOcean() of index.js or worker.js and further options, such as threads.
 
 const tickS = 1 / 60;
-export const smallSea = { cascades: 2, resolution: 32, windSpeedMps: 8 };
-/** The options of smallSea for the native command. */
-export const smallSeaFlags = ['--cascades', '2', '--resolution', '32', '--wind-speed', '8'];
 
-// Dynamic waves.
+// The scene of tests/golden_values_test.cpp. Lines are those of tests/golden/values.txt.
 
-/** The grid of `--events-resolution 64` with the command's default depth. */
-export const grid = { resolution: 64, depthM: 4000 };
+export const smallSea = { cascades: 3, resolution: 32, windSpeedMps: 8, loopPeriodS: 40 };
+export const grid = { resolution: 64, borderM: 8 };
 export const stone = { mode: 'impulse', xM: 3, zM: -2, radiusM: 2, heightM: 0.4 };
 export const boat = { shape: 'hull', xM: -10, zM: 5, radiusM: 1, lengthM: 4, heightM: -0.5, velocityXMps: 6 };
-/** The events of playEvents(), as a file for `--events`: the boat moves from 0.7 s for 1.5 s. */
-export const eventsFile = `time,x,z,radius,height,velocity,heading,duration,length,mode
-0.5,3,-2,2,0.4,,,,,impulse
-0.7,-10,5,1,-0.5,6,0,1.5,4,pressure
-`;
+export const points = [[1.5, 0.25], [-7.25, 4], [12, -9.75], [3, -2], [60, 40.5], [150.5, 10], [-60, 100], [400, -1000]];
 
-/**
- * Computes a frame of each tick from 29 to 165, with the commands of eventsFile, and calls
- * `atTick(tick, frame)` for each.
- */
-export async function playEvents(createOcean, options, atTick) {
-  const ocean = await createOcean({ ...smallSea, queries: true, velocities: true, foam: true, dynamicWaves: grid, ...options });
-  const waves = ocean.dynamicWaves;
-  await waves.setCenter(0, 0);
-  let number = null;
-  for (let tick = 29; tick <= 165; ++tick) {
-    if (tick === 30) await waves.addImpulse(stone);
-    if (tick === 42) number = await waves.addSource(boat);
-    if (tick === 132) await waves.removeSource(number);
-    await atTick(tick, await ocean.frameAt(tick / 60));
-  }
-  ocean.dispose();
+/** Returns the lines of a kind, or of several. */
+export const goldenOf = (text, ...kinds) => text.trim().split('\n').filter((line) => kinds.includes(line.split(' ')[0]));
+
+/** Returns a beach with an island in front of it. */
+export function bay() {
+  const columns = 81, rows = 61, heightsM = [];
+  for (let j = 0; j < rows; ++j)
+    for (let i = 0; i < columns; ++i) {
+      const x = 5 * i, fromX = x - 150, fromZ = 5 * j - 120, squared = (fromX * fromX + fromZ * fromZ) / 1600;
+      heightsM.push(-12 + x * 0.035 + 16 / (1 + squared * squared));
+    }
+  return { heightsM, columns, rows, metresASample: 5, cornerXM: -170, cornerZM: -130, resolution: 64 };
 }
 
-/** Returns "time hash dynamic_waves_hash" of every fifteenth tick of playEvents(). */
-export async function eventLines(createOcean, options) {
-  const lines = [];
-  await playEvents(createOcean, options, async (tick, frame) => {
-    if (tick % 15 === 0) lines.push(`${tick / 60} ${await frame.hash()} ${await frame.dynamicWaves.hash()}`);
-  });
+const bitsOf = (array) => Array.from(array, (word) => word.toString(16).padStart(8, '0'));
+const floatBits = (numbers) => bitsOf(new Uint32Array(Float32Array.from(numbers).buffer)).join(' ');
+const doubleBits = (numbers) => numbers.map((number) => bitsOf(new Uint32Array(new Float64Array([number]).buffer)).reverse().join('')).join(' ');
+
+function sampleLines(kind, answers) {
+  const three = (array, i) => [...array.slice(3 * i, 3 * i + 3)];
+  return points.map((_, i) => `${kind} ${i} ` + floatBits([answers.heightM[i], ...three(answers.normal, i), ...three(answers.velocityMps, i),
+                                                          answers.jacobian[i], answers.errorM[i], answers.foam[i], answers.converged[i]]));
+}
+
+/** Returns the lines of an ocean with dynamic waves and a shore. */
+export async function oceanLines(createOcean, options) {
+  const ocean = await createOcean({ ...smallSea, queries: true, velocities: true, foam: true, dynamicWaves: grid, shore: bay(), ...options });
+  const waves = ocean.dynamicWaves, lines = [];
+  let number = null, frame = null;
+  await waves.setCenter(0.75, -1);
+  for (let tick = 0; tick <= 60; ++tick) {
+    if (tick === 3) await waves.addImpulse(stone);
+    if (tick === 5) number = await waves.addSource(boat);
+    if (tick === 20) await waves.setSource(number, { ...boat, heightM: -1 });
+    if (tick === 25) await waves.setRain({ dropsPerM2S: 0.5, radiusM: 1, heightM: 0.1, seed: 3 });
+    if (tick === 30) await waves.addImpulse({ mode: 'foam', xM: 12, zM: -10, heightM: 0.3 });
+    if (tick === 40) {
+      await waves.removeSource(number);
+      await waves.setRain({});
+    }
+    frame = await ocean.frameAt(tick / 60);
+    if (tick % 10 === 0)
+      lines.push(`waves ${tick} ${await frame.hash()} ${await frame.foamHash()} ${await frame.dynamicWaves.hash()} ${await frame.shore.hash()}`);
+  }
+  for (const interpolation of ['linear', 'cubic']) lines.push(...sampleLines(interpolation, await frame.query(points, { interpolation })));
+  for (const [i, x] of [1.5, 150.5].entries()) {
+    const { distanceM, positionM } = await frame.firstHit({ originM: [x, 12, -7], direction: [1, -0.5, 0.25], reachM: 500 });
+    lines.push(`ray ${i} ${doubleBits([distanceM, ...positionM])}`);
+  }
+  ocean.dispose();
+  return lines;
+}
+
+/** Returns the lines of a sea level with a current, and of a transition. */
+export async function seaLines(createOcean, options) {
+  const moving = await createOcean({ ...smallSea, queries: true, ...options }), changing = await createOcean({ ...smallSea, ...options });
+  await moving.setWaterFrame({ seaLevelM: 3, currentXMps: 1.5, currentZMps: -0.5 });
+  const { heightM } = await (await moving.frameAt(10)).query(points);
+  const lines = Array.from(heightM, (height, i) => `lifted ${i} ${floatBits([height])}`);
+  await changing.turnInto({ windSpeedMps: 6 }, { fromS: 10, overS: 20 });
+  for (const time of [5, 17.5, 40]) lines.push(`transition ${time} ${await (await changing.frameAt(time)).hash()}`);
+  moving.dispose();
+  changing.dispose();
   return lines;
 }
 
@@ -52,43 +84,11 @@ export async function tickHashes(ocean, first) {
   return hashes;
 }
 
-// Shores.
-
-export const floorColumns = 48, floorRows = 40;
-
-/** Returns the bytes of an image of an island in a bay. */
-export function floorPixels() {
-  return Uint8Array.from({ length: floorColumns * floorRows }, (_, at) => {
-    const x = 2 * (at % floorColumns) / (floorColumns - 1) - 1, z = 2 * Math.floor(at / floorColumns) / (floorRows - 1) - 1;
-    return Math.max(0, Math.min(255, 220 / (1 + 9 * (x * x + z * z) ** 2) + 30 * x));
-  });
-}
-
-/** The shore of `--shore --floor` with that image: heights from -20 to 10 m, 1000 m wide. */
-export function floorShore() {
-  const metres = 1000 / floorColumns;
-  return {
-    heightsM: Float32Array.from(floorPixels(), (byte) => -20 + Math.fround(byte * Math.fround(1 / 255)) * 30),
-    columns: floorColumns, rows: floorRows, metresASample: metres,
-    cornerXM: -0.5 * metres * (floorColumns - 1), cornerZM: -0.5 * metres * (floorRows - 1),
-  };
-}
-
-/** Points on land and on water, inside and outside of the shore. */
-export const shorePoints = Array.from({ length: 400 }, (_, i) => [(i * 37.77) % 1200 - 600, (i * 12.345) % 1000 - 500]);
-
-/** Returns "time hash" for the times of tests/golden/shore.txt (tests/shore_test.cpp, bay()). */
+/** Returns the lines of a shore. */
 export async function shoreLines(createOcean, options) {
-  const columns = 81, rows = 61, heightsM = [];
-  for (let j = 0; j < rows; ++j)
-    for (let i = 0; i < columns; ++i) {
-      const x = 5 * i, fromX = x - 150, fromZ = 5 * j - 120, squared = (fromX * fromX + fromZ * fromZ) / 1600;
-      heightsM.push(-12 + x * 0.035 + 16 / (1 + squared * squared));
-    }
-  const shore = { heightsM, columns, rows, metresASample: 5, cornerXM: -170, cornerZM: -130, resolution: 64 };
-  const ocean = await createOcean({ cascades: 3, resolution: 32, windSpeedMps: 8, loopPeriodS: 40, shore, ...options });
+  const ocean = await createOcean({ ...smallSea, shore: bay(), ...options });
   const lines = [];
-  for (const time of [0, 7.3]) lines.push(`${time} ${await (await ocean.frameAt(time)).shore.hash()}`);
+  for (const time of [0, 7.3]) lines.push(`shore ${time} ${await (await ocean.frameAt(time)).shore.hash()}`);
   ocean.dispose();
   return lines;
 }
@@ -127,7 +127,7 @@ function velocityHash(frame) {
   return [high, low].map((half) => half.toString(16).padStart(8, '0')).join('');
 }
 
-/** Returns the lines of tests/golden/wave_inputs.txt. */
+/** Returns the lines of wave inputs. */
 export async function waveInputLines(createOcean, options) {
   const lines = [];
   for (const [name, sea] of Object.entries(inputSeas)) {
@@ -140,7 +140,7 @@ export async function waveInputLines(createOcean, options) {
     await note(await ocean.frameAt(4.321));
     await ocean.setInput(1, { ripple: { xM: -3, zM: 1e6, wavelengthM: 13, amplitudeM: 0.25, phaseRad: 1 } });
     await note(await ocean.frameAt(4.444));
-    lines.push([name, ...hashes].join(' '));
+    lines.push(['input', name, ...hashes].join(' '));
     ocean.dispose();
   }
   return lines;

@@ -1,0 +1,243 @@
+// The C interface returns the values of tests/golden/values.txt, which GoldenValues computes by the
+// same calls of C++ (golden_values_test.cpp).
+#include <array>
+#include <bit>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/capi_sea.hpp"
+#include "pelagic/tests/golden.hpp"
+#include "pelagic/tests/shores.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr std::array<double, 8> golden_x = {1.5, -7.25, 12, 3, 60, 150.5, -60, 400},
+                                golden_z = {0.25, 4, -9.75, -2, 40.5, 10, 100, -1000};
+
+pelagic_sea golden_sea() {
+    pelagic_sea sea = stack_sea(3);
+    sea.wind_speed_mps = 8;
+    sea.loop_period_s = 40;
+    return sea;
+}
+
+pelagic_dynamic_waves_options golden_grid(double side_m, double border_m) {
+    auto waves = sized<pelagic_dynamic_waves_options>();
+    EXPECT_EQ(pelagic_dynamic_waves_defaults(&waves), PELAGIC_OK);
+    waves.resolution = 64, waves.side_m = side_m, waves.border_m = border_m;
+    return waves;
+}
+
+pelagic_disturbance golden_disturbance(std::int32_t mode, double x_m, double z_m, double radius_m, double height_m) {
+    auto disturbance = sized<pelagic_disturbance>();
+    EXPECT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
+    disturbance.mode = mode;
+    disturbance.x_m = x_m, disturbance.z_m = z_m;
+    disturbance.radius_m = radius_m, disturbance.height_m = height_m;
+    return disturbance;
+}
+
+pelagic_points golden_points(std::int32_t interpolation = PELAGIC_INTERPOLATION_LINEAR) {
+    auto points = sized<pelagic_points>();
+    points.count = golden_x.size();
+    points.x = golden_x.data(), points.z = golden_z.data();
+    points.interpolation = interpolation;
+    return points;
+}
+
+template <class Object>
+std::uint64_t hash_by(pelagic_status (*function)(const Object*, std::uint64_t*), const Object* of) {
+    std::uint64_t hash = 0;
+    EXPECT_EQ(function(of, &hash), PELAGIC_OK) << pelagic_last_error();
+    return hash;
+}
+
+TEST(CInterfaceGolden, AnOceanWithDynamicWavesAndAShore) {
+    const ShoreOptions floor = bay();
+    auto shore = sized<pelagic_shore_options>();
+    ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
+    shore.columns = floor.columns, shore.rows = floor.rows;
+    shore.heights_m = floor.heights_m.data();
+    shore.metres_a_sample = floor.metres_a_sample;
+    shore.corner_x_m = floor.corner_x_m, shore.corner_z_m = floor.corner_z_m;
+    shore.resolution = floor.resolution;
+    const pelagic_dynamic_waves_options grid = golden_grid(64, 8);
+    auto options = sized<pelagic_ocean_options>();
+    options.queries = options.velocities = options.foam = 1;
+    options.dynamic_waves = &grid;
+    options.shore = &shore;
+    const COcean ocean = ocean_of(golden_sea(), options);
+    pelagic_dynamic_waves* const waves = waves_of(ocean.get());
+
+    const pelagic_disturbance stone = golden_disturbance(PELAGIC_DISTURBANCE_IMPULSE, 3, -2, 2, 0.4),
+                              foam = golden_disturbance(PELAGIC_DISTURBANCE_FOAM, 12, -10, 1, 0.3);
+    pelagic_disturbance boat = golden_disturbance(PELAGIC_DISTURBANCE_PRESSURE, -10, 5, 1, -0.5);
+    boat.shape = PELAGIC_SHAPE_HULL;
+    boat.length_m = 4, boat.velocity_x_mps = 6;
+    auto dry = sized<pelagic_rain>();
+    ASSERT_EQ(pelagic_rain_defaults(&dry), PELAGIC_OK);
+    pelagic_rain rain = dry;
+    rain.drops_per_m2_s = 0.5, rain.radius_m = 1, rain.height_m = 0.1, rain.seed = 3;
+    std::uint32_t number = 0;
+    pelagic_status status = pelagic_dynamic_waves_set_center(waves, 0.75, -1);
+    const auto then = [&](pelagic_status next) { status = status == PELAGIC_OK ? next : status; };
+    GoldenRows hashes("waves"), rays("ray");
+    for (int tick = 0; tick <= 60; ++tick) {
+        if (tick == 3) then(pelagic_dynamic_waves_add_impulse(waves, &stone));
+        if (tick == 5) then(pelagic_dynamic_waves_add_source(waves, &boat, &number));
+        if (tick == 20) boat.height_m = -1, then(pelagic_dynamic_waves_set_source(waves, number, &boat));
+        if (tick == 25) then(pelagic_dynamic_waves_set_rain(waves, &rain));
+        if (tick == 30) then(pelagic_dynamic_waves_add_impulse(waves, &foam));
+        if (tick == 40) then(pelagic_dynamic_waves_remove_source(waves, number));
+        if (tick == 40) then(pelagic_dynamic_waves_set_rain(waves, &dry));
+        complete(ocean, tick / 60.0);
+        if (tick % 10 == 0)
+            hashes.row(std::to_string(tick), {hash_of(ocean.get()), hash_by(pelagic_ocean_foam_hash, ocean.get()),
+                                              hash_by(pelagic_dynamic_waves_hash, waves),
+                                              hash_by(pelagic_ocean_shore_hash, ocean.get())});
+    }
+    ASSERT_EQ(status, PELAGIC_OK) << pelagic_last_error();
+    hashes.expect();
+
+    for (const std::int32_t interpolation : {PELAGIC_INTERPOLATION_LINEAR, PELAGIC_INTERPOLATION_CUBIC}) {
+        std::array<std::array<float, 8>, 10> of{};
+        std::array<std::uint8_t, 8> converged{};
+        auto samples = sized<pelagic_samples>();
+        samples.height_m = of[0].data();
+        samples.normal_x = of[1].data(), samples.normal_y = of[2].data(), samples.normal_z = of[3].data();
+        samples.velocity_x_mps = of[4].data(), samples.velocity_y_mps = of[5].data();
+        samples.velocity_z_mps = of[6].data();
+        samples.jacobian = of[7].data(), samples.error_m = of[8].data(), samples.foam = of[9].data();
+        samples.converged = converged.data();
+        const pelagic_points points = golden_points(interpolation);
+        ASSERT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
+        GoldenRows rows(interpolation == PELAGIC_INTERPOLATION_LINEAR ? "linear" : "cubic");
+        for (std::size_t i = 0; i < golden_x.size(); ++i) {
+            rows.begin(std::to_string(i));
+            for (const auto& values : of) rows.add(values[i]);
+            rows.add(static_cast<float>(converged[i]));
+        }
+        rows.expect();
+    }
+
+    auto hit = sized<pelagic_hit>();
+    auto ray = sized<pelagic_ray>();
+    ray.origin_m[1] = 12, ray.origin_m[2] = -7;
+    ray.direction[0] = 1, ray.direction[1] = -0.5, ray.direction[2] = 0.25;
+    ray.reach_m = 500;
+    for (const double x : {1.5, 150.5}) {
+        ray.origin_m[0] = x;
+        ASSERT_EQ(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_TRUE(hit.is_hit && !hit.from_below);
+        rays.row(x < 100 ? "0" : "1", {hit.distance_m, hit.position_m[0], hit.position_m[1], hit.position_m[2]});
+    }
+    rays.expect();
+    ray.direction[1] = 2;
+    ASSERT_EQ(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), PELAGIC_OK);
+    EXPECT_FALSE(hit.is_hit);
+}
+
+TEST(CInterfaceGolden, ASeaLevelAndACurrent) {
+    auto options = sized<pelagic_ocean_options>();
+    options.queries = 1;
+    const COcean ocean = ocean_of(golden_sea(), options);
+    auto water = sized<pelagic_water_frame>();
+    water.sea_level_m = 3, water.current_x_mps = 1.5, water.current_z_mps = -0.5;
+    ASSERT_EQ(pelagic_ocean_set_water_frame(ocean.get(), &water), PELAGIC_OK) << pelagic_last_error();
+    complete(ocean, 10);
+    std::array<float, 8> height{};
+    auto samples = sized<pelagic_samples>();
+    samples.height_m = height.data();
+    const pelagic_points points = golden_points();
+    ASSERT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
+    GoldenRows rows("lifted");
+    for (std::size_t i = 0; i < height.size(); ++i) rows.row(std::to_string(i), {height[i]});
+    rows.expect();
+    water.sea_level_m = std::bit_cast<double>(0x7ff8000000000000);
+    expect_rejected(pelagic_ocean_set_water_frame(ocean.get(), &water),
+                    "sea_level_m nan is out of range [-1000, 1000]");
+    water.sea_level_m = 0, water.reserved = 1;
+    expect_rejected(pelagic_ocean_set_water_frame(ocean.get(), &water), "water.reserved is set, expected 0");
+}
+
+TEST(CInterfaceGolden, ATransition) {
+    auto options = sized<pelagic_ocean_options>();
+    const COcean ocean = ocean_of(golden_sea(), options);
+    pelagic_sea later = golden_sea();
+    later.wind_speed_mps = 6;
+    auto change = sized<pelagic_change>();
+    change.sea = &later;
+    change.from_s = 10, change.over_s = 20;
+    ASSERT_EQ(pelagic_ocean_schedule_change(ocean.get(), &change), PELAGIC_OK) << pelagic_last_error();
+    GoldenRows rows("transition");
+    for (const std::string time : {"5", "17.5", "40"}) rows.row(time, {hash_at(ocean, std::stod(time))});
+    rows.expect();
+}
+
+TEST(CInterfaceGolden, Bodies) {
+    std::vector<double> corners;
+    for (const double x : {-2.0, 2.0})
+        for (const double y : {-0.5, 0.5})
+            for (const double z : {-1.0, 1.0}) corners.insert(corners.end(), {x, y, z});
+    constexpr std::uint32_t triangles[] = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                                           2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+    constexpr double centre[] = {0, -0.125, 0};
+    auto options = sized<pelagic_hull_options>();
+    if (pelagic_hull_defaults(&options) != PELAGIC_OK) GTEST_SKIP() << pelagic_last_error();
+    options.mass_kg = 2500, options.roll_damping = 0.125, options.centre_of_mass_m = centre;
+    auto mesh = sized<pelagic_hull_mesh>();
+    mesh.vertex_count = 8, mesh.vertices_m = corners.data();
+    mesh.triangle_count = 12, mesh.triangles = triangles;
+    pelagic_hull* hull = nullptr;
+    ASSERT_EQ(pelagic_hull_create(&mesh, &options, &hull), PELAGIC_OK) << pelagic_last_error();
+    auto info = sized<pelagic_hull_info>();
+    ASSERT_EQ(pelagic_hull_describe(hull, &info), PELAGIC_OK);
+    GoldenRows hulls("hull"), states("body"), forces("force");
+    hulls.row("box", {info.volume_m3, info.draught_m, info.height_m, info.waterplane_m2, info.roll_gm_m,
+                      info.pitch_gm_m});
+    EXPECT_TRUE(info.floats && info.mass_kg == 2500 && info.minimum_m[0] == -2 && info.maximum_m[2] == 1);
+
+    const pelagic_dynamic_waves_options grid = golden_grid(32, 4);
+    auto with_waves = sized<pelagic_ocean_options>();
+    with_waves.queries = with_waves.velocities = 1;
+    with_waves.dynamic_waves = &grid;
+    const COcean ocean = ocean_of(golden_sea(), with_waves);
+    auto wakes = sized<pelagic_bodies_options>();
+    wakes.wakes = 1;
+    pelagic_bodies* bodies = nullptr;
+    ASSERT_EQ(pelagic_bodies_create(ocean.get(), &wakes, &bodies), PELAGIC_OK) << pelagic_last_error();
+    auto state = sized<pelagic_hull_state>();
+    std::uint32_t number = 0;
+    for (const auto& [x_m, z_m, heading_rad] : {std::array{1.0, -2.0, 0.25}, {-5.0, 4.0, 0.0}}) {
+        EXPECT_EQ(pelagic_hull_at_rest(hull, x_m, z_m, heading_rad, &state), PELAGIC_OK);
+        EXPECT_EQ(pelagic_bodies_add(bodies, hull, &state, &number), PELAGIC_OK);
+    }
+    auto inputs = sized<pelagic_hull_inputs>();
+    inputs.force.force_n[0] = 900, inputs.wind_mps[2] = 5;
+    EXPECT_EQ(pelagic_bodies_set_inputs(bodies, number, &inputs), PELAGIC_OK);
+    for (int tick = 0; tick < 40; ++tick) {
+        complete(ocean, tick / 60.0);
+        EXPECT_EQ(pelagic_bodies_press(bodies, 1 / 60.0), PELAGIC_OK);
+        EXPECT_EQ(pelagic_bodies_step(bodies, 1 / 60.0, nullptr), PELAGIC_OK);
+    }
+    for (number = 1; number <= 2; ++number) {
+        auto loads = sized<pelagic_hull_loads>();
+        EXPECT_EQ(pelagic_bodies_get_state(bodies, number, &state), PELAGIC_OK);
+        EXPECT_EQ(pelagic_bodies_get_loads(bodies, number, &loads), PELAGIC_OK);
+        states.begin(std::to_string(number));
+        for (const double part : state.position_m) states.add(part);
+        for (const double part : state.orientation) states.add(part);
+        for (const double part : state.velocity_mps) states.add(part);
+        for (const double part : state.angular_velocity_radps) states.add(part);
+        forces.begin(std::to_string(number));
+        for (const double part : loads.total.force_n) forces.add(part);
+        for (const double part : loads.total.torque_nm) forces.add(part);
+    }
+    for (const GoldenRows* rows : {&hulls, &states, &forces}) rows->expect();
+    pelagic_bodies_destroy(bodies);
+    pelagic_hull_destroy(hull);
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,150 @@
+// Values of oceans, queries and hulls in tests/golden/values.txt, which every platform reproduces
+// and every binding must return for the same calls.
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "pelagic/floating/floating_bodies.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/golden.hpp"
+#include "pelagic/tests/shores.hpp"
+
+namespace pelagic {
+namespace {
+
+const SeaState golden_sea{.cascades = 3, .resolution = 32, .wind_speed_mps = 8, .loop_period_s = 40};
+
+/// On dynamic waves, on the shore and its land, and outside; floats hold them exactly.
+const std::vector<double> golden_x = {1.5, -7.25, 12, 3, 60, 150.5, -60, 400},
+                          golden_z = {0.25, 4, -9.75, -2, 40.5, 10, 100, -1000};
+
+void add_samples(GoldenRows& rows, const Frame& frame, Interpolation interpolation) {
+    std::array<std::array<float, 8>, 10> of{};
+    std::array<std::uint8_t, 8> converged{};
+    SurfaceQuery(frame, {.interpolation = interpolation})
+        .sample({golden_x, golden_z}, {.height_m = of[0],
+                                       .normal_x = of[1],
+                                       .normal_y = of[2],
+                                       .normal_z = of[3],
+                                       .jacobian = of[7],
+                                       .velocity_x_mps = of[4],
+                                       .velocity_y_mps = of[5],
+                                       .velocity_z_mps = of[6],
+                                       .error_m = of[8],
+                                       .converged = converged,
+                                       .foam = of[9]});
+    for (std::size_t i = 0; i < golden_x.size(); ++i) {
+        rows.begin(std::to_string(i));
+        for (const auto& values : of) rows.add(values[i]);
+        rows.add(static_cast<float>(converged[i]));
+    }
+}
+
+// Ticks of 1/60 s, with commands before the frame of a tick.
+TEST(GoldenValues, OfAnOceanWithDynamicWavesAndAShore) {
+    Ocean ocean(golden_sea, {.executor = make_serial_executor(),
+                             .queries = true,
+                             .velocities = true,
+                             .foam = true,
+                             .dynamic_waves = DynamicWavesOptions{.resolution = 64, .border_m = 8},
+                             .shore = bay()});
+    DynamicWaves& waves = ocean.dynamic_waves();
+    const Disturbance stone{
+        .mode = Disturbance::Mode::impulse, .x_m = 3, .z_m = -2, .radius_m = 2, .height_m = 0.4};
+    Disturbance boat{.shape = Disturbance::Shape::hull,
+                     .x_m = -10,
+                     .z_m = 5,
+                     .radius_m = 1,
+                     .length_m = 4,
+                     .height_m = -0.5,
+                     .velocity_x_mps = 6};
+    waves.set_center(0.75, -1);
+    std::uint32_t number = 0;
+    GoldenRows hashes("waves"), linear("linear"), cubic("cubic"), rays("ray");
+    for (int tick = 0; tick <= 60; ++tick) {
+        if (tick == 3) waves.add_impulse(stone);
+        if (tick == 5) number = waves.add_source(boat);
+        if (tick == 20) boat.height_m = -1, waves.set_source(number, boat);
+        if (tick == 25) waves.set_rain({.drops_per_m2_s = 0.5, .radius_m = 1, .height_m = 0.1, .seed = 3});
+        if (tick == 30) waves.add_impulse({.mode = Disturbance::Mode::foam, .x_m = 12, .z_m = -10, .height_m = 0.3});
+        if (tick == 40) waves.remove_source(number), waves.set_rain({});
+        const Frame& frame = ocean.frame_at(tick / 60.0);
+        if (tick % 10 == 0)
+            hashes.row(std::to_string(tick),
+                       {hash_of(frame), foam_hash_of(frame), hash_of(frame.dynamic_waves), shore_hash_of(frame)});
+    }
+    const Frame& frame = ocean.frame_at(1);
+    add_samples(linear, frame, Interpolation::linear);
+    add_samples(cubic, frame, Interpolation::cubic);
+    for (const double x : {1.5, 150.5}) {
+        const auto hit = first_hit(SurfaceQuery(frame), {{x, 12, -7}, {1, -0.5, 0.25}, 500});
+        rays.row(x < 100 ? "0" : "1", {hit->distance_m, hit->position_m[0], hit->position_m[1], hit->position_m[2]});
+    }
+    for (const GoldenRows* rows : {&hashes, &linear, &cubic, &rays}) rows->expect();
+}
+
+TEST(GoldenValues, OfASeaLevelAndACurrent) {
+    Ocean ocean(golden_sea, {.executor = make_serial_executor(), .queries = true});
+    ocean.set_water_frame({.sea_level_m = 3, .current_x_mps = 1.5, .current_z_mps = -0.5});
+    std::array<float, 8> height{};
+    SurfaceQuery(ocean.frame_at(10)).sample({golden_x, golden_z}, {.height_m = height});
+    GoldenRows rows("lifted");
+    for (std::size_t i = 0; i < height.size(); ++i) rows.row(std::to_string(i), {height[i]});
+    rows.expect();
+}
+
+TEST(GoldenValues, OfATransition) {
+    SeaState later = golden_sea;
+    later.wind_speed_mps = 6;
+    Ocean ocean(golden_sea, {.executor = make_serial_executor()});
+    ocean.schedule_sea(later, 10, 20);
+    GoldenRows rows("transition");
+    for (const std::string time : {"5", "17.5", "40"}) rows.row(time, {hash_of(ocean.frame_at(std::stod(time)))});
+    rows.expect();
+}
+
+TEST(GoldenValues, OfBodies) {
+    std::vector<glm::dvec3> corners;
+    for (const double x : {-2.0, 2.0})
+        for (const double y : {-0.5, 0.5})
+            for (const double z : {-1.0, 1.0}) corners.emplace_back(x, y, z);
+    const std::vector<HullMesh::Triangle> triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5},
+                                                       {0, 4, 5}, {0, 5, 1}, {2, 3, 7}, {2, 7, 6},
+                                                       {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+    const auto hull = std::make_shared<const Hull>(
+        HullMesh(corners, triangles),
+        HullOptions{.mass_kg = 2500, .centre_of_mass_m = glm::dvec3(0, -0.125, 0), .roll_damping = 0.125});
+    const HullAfloat& afloat = hull->afloat();
+    GoldenRows hulls("hull"), bodies("body"), forces("force");
+    hulls.row("box", {hull->mesh().volume_m3(), afloat.draught_m, afloat.height_m, afloat.waterplane_m2,
+                      afloat.roll_gm_m, afloat.pitch_gm_m});
+    Ocean ocean(golden_sea, {.executor = make_serial_executor(),
+                             .queries = true,
+                             .velocities = true,
+                             .dynamic_waves = DynamicWavesOptions{.resolution = 64, .side_m = 32, .border_m = 4}});
+    FloatingBodies floating(make_serial_executor(), &ocean.dynamic_waves());
+    floating.add(hull, hull->at_rest(1, -2, 0.25));
+    floating.add(hull, hull->at_rest(-5, 4));
+    floating.set_inputs(2, {.force = {.force_n = {900, 0, 0}}, .wind_mps = {0, 0, 5}});
+    for (int tick = 0; tick < 40; ++tick) {
+        const Frame& frame = ocean.frame_at(tick / 60.0);
+        floating.press(frame, 1 / 60.0);
+        floating.step(SurfaceQuery(frame), 1 / 60.0);
+    }
+    for (const std::uint32_t number : {1u, 2u}) {
+        const HullState& at = floating.state(number);
+        const glm::dquat& q = at.orientation;
+        bodies.row(std::to_string(number),
+                   {at.position_m.x, at.position_m.y, at.position_m.z, q.x, q.y, q.z, q.w, at.velocity_mps.x,
+                    at.velocity_mps.y, at.velocity_mps.z, at.angular_velocity_radps.x, at.angular_velocity_radps.y,
+                    at.angular_velocity_radps.z});
+        const HullForce total = floating.loads(number).total();
+        forces.row(std::to_string(number), {total.force_n.x, total.force_n.y, total.force_n.z, total.torque_nm.x,
+                                            total.torque_nm.y, total.torque_nm.z});
+    }
+    for (const GoldenRows* rows : {&hulls, &bodies, &forces}) rows->expect();
+}
+
+}  // namespace
+}  // namespace pelagic
