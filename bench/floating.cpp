@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
 
@@ -29,16 +29,13 @@ void measure(Isa isa, int threads) {
     const auto executor = make_thread_executor(threads);
     Ocean ocean(SeaState{}, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
     const Hull hull(boat_mesh(6, 2, 1.2), {.mass_kg = 3500});
-    std::vector<FloatingHull> hulls;
-    for (int i = 0; i < count; ++i)
-        hulls.push_back({.hull = &hull, .state = hull.at_rest(i % 32 * 25.0, i / 32 * 25.0, 0.1 * i)});
-    FloatingHulls jobs(executor);
+    FloatingBodies bodies(executor);
+    for (int i = 0; i < count; ++i) bodies.add(hull, hull.at_rest(i % 32 * 25.0, i / 32 * 25.0, 0.1 * i));
     std::vector<double> ticks, frames;
     for (int i = 0; i < rounds; ++i) {
         const Frame* frame = nullptr;
         frames.push_back(ms_of([&] { frame = &ocean.frame_at((i + 0.5) * step_s); }));
-        const SurfaceQuery water(*frame);
-        ticks.push_back(ms_of([&] { jobs.step(water, hulls, step_s); }));
+        ticks.push_back(ms_of([&] { bodies.step(*frame, step_s); }));
     }
     for (auto* times : {&ticks, &frames}) std::sort(times->begin(), times->end());
     std::printf("%-8s %7d %9.2f (%.2f to %.2f) %9.3f\n", std::string(name_of(isa)).c_str(), threads,

@@ -107,7 +107,7 @@ pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s, int32_
         FloatingBodies& ours = needed_bodies(bodies);
         const std::shared_ptr<pelagic_ocean> ocean = bodies->ocean.lock();
         const QueryFrames::Reader reader(ocean->query_frames);
-        const bool are_all = ours.step(needed_query(*ocean, reader), step_s);
+        const bool are_all = ours.step(needed_query(*ocean, reader).frame(), step_s);
         if (is_all) *is_all = are_all;
     });
 }

@@ -69,7 +69,7 @@ HullOptions hull_options_of(const pelagic_hull_options* pointer) {
 /// Computes loads, and with `accelerates` velocities, and writes them if nothing throws.
 void compute(pelagic_hull* hull, const pelagic_ocean* ocean, pelagic_hull_state* state, double step_s,
              const pelagic_hull_inputs* inputs, pelagic_hull_loads* loads, bool accelerates) {
-    const Hull& ours = *needed(hull, "hull").hull;
+    const Hull& ours = needed(hull, "hull").hull;
     const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
     const SurfaceQuery& water = needed_query(*ocean, reader);
     HullState moved = hull_state_of(state, "state");
@@ -166,7 +166,7 @@ pelagic_status pelagic_hull_create(const pelagic_hull_mesh* mesh, const pelagic_
         pelagic_hull*& out = needed(hull, "hull");
         out = nullptr;
         HullMesh ours = mesh_of(mesh);
-        out = new pelagic_hull{std::make_shared<const Hull>(std::move(ours), hull_options_of(options))};
+        out = new pelagic_hull{Hull(std::move(ours), hull_options_of(options))};
     });
 }
 
@@ -174,7 +174,7 @@ void pelagic_hull_destroy(pelagic_hull* hull) { delete hull; }
 
 pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info* info) {
     return guarded([&] {
-        const Hull& ours = *needed(hull, "hull").hull;
+        const Hull& ours = needed(hull, "hull").hull;
         struct_bytes(info, "info");
         const HullMesh& mesh = ours.mesh();
         const HullAfloat& afloat = ours.afloat();
@@ -201,7 +201,7 @@ pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info
 pelagic_status pelagic_hull_at_rest(const pelagic_hull* hull, double x_m, double z_m, double heading_rad,
                                     pelagic_hull_state* state) {
     return guarded([&] {
-        const Hull& ours = *needed(hull, "hull").hull;
+        const Hull& ours = needed(hull, "hull").hull;
         if (!std::isfinite(heading_rad)) reject(invalid_value_message("heading_rad", heading_rad, "a finite number"));
         struct_bytes(state, "state");
         const HullState rest = ours.at_rest(x_m, z_m, heading_rad);

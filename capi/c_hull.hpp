@@ -1,13 +1,11 @@
 // Definition of pelagic_hull, and conversions of what acts on hulls.
 #pragma once
 
-#include <memory>
-
 #include "pelagic/floating/hull.hpp"
 #include "pelagic/pelagic.h"
 
 struct pelagic_hull {
-    std::shared_ptr<const pelagic::Hull> hull;
+    pelagic::Hull hull;
     pelagic::HullWorkspace workspace = {};
 };
 

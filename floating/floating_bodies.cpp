@@ -1,6 +1,7 @@
 #include "pelagic/floating/floating_bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -15,6 +16,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic {
 namespace {
@@ -42,34 +44,6 @@ template <class Use>
 void for_each_number(HullForce& force, Use use) {
     for_each_number(force.force_n, use);
     for_each_number(force.torque_nm, use);
-}
-
-/// Calls use(double&) for all values of a hull, in a fixed order.
-template <class Use>
-void for_each_number(FloatingHull& floating, Use use) {
-    HullState& state = floating.state;
-    for_each_number(state.position_m, use);
-    use(state.orientation.w), use(state.orientation.x), use(state.orientation.y), use(state.orientation.z);
-    for_each_number(state.velocity_mps, use);
-    for_each_number(state.angular_velocity_radps, use);
-    use(state.water_velocity_y_mps);
-    for_each_number(state.water_rotation_radps, use);
-    use(state.submersion);
-    double has_previous_step = state.has_previous_step;
-    use(has_previous_step);
-    state.has_previous_step = has_previous_step != 0;
-    for_each_number(floating.inputs.force, use);
-    for_each_number(floating.inputs.wind_mps, use);
-    HullLoads& loads = floating.loads;
-    for (HullForce* force : {&loads.pressure, &loads.added_mass, &loads.drag, &loads.slamming})
-        for_each_number(*force, use);
-    use(loads.displaced_m3), use(loads.submersion);
-    use(loads.water_height_m), use(loads.water_slope_x), use(loads.water_slope_z);
-    for (glm::dvec3* v : {&loads.water_velocity_mps, &loads.water_rotation_radps, &loads.water_acceleration_mps2})
-        for_each_number(*v, use);
-    for (HullMatrix* matrix : {&loads.mass, &loads.stiffness})
-        for (auto& row : *matrix)
-            for (double& value : row) use(value);
 }
 
 template <class Value>
@@ -103,6 +77,34 @@ struct FloatingBodies::Reader {
     }
 };
 
+/// Calls use(double&) for all values of a hull, in a fixed order.
+template <class Use>
+void FloatingBodies::for_each_number(Motion& motion, Use use) {
+    const auto each = [&](auto& value) { pelagic::for_each_number(value, use); };
+    HullState& state = motion.state;
+    each(state.position_m);
+    use(state.orientation.w), use(state.orientation.x), use(state.orientation.y), use(state.orientation.z);
+    each(state.velocity_mps);
+    each(state.angular_velocity_radps);
+    use(state.water_velocity_y_mps);
+    each(state.water_rotation_radps);
+    use(state.submersion);
+    double has_previous_step = state.has_previous_step;
+    use(has_previous_step);
+    state.has_previous_step = has_previous_step != 0;
+    each(motion.inputs.force);
+    each(motion.inputs.wind_mps);
+    HullLoads& loads = motion.loads;
+    for (HullForce* force : {&loads.pressure, &loads.added_mass, &loads.drag, &loads.slamming}) each(*force);
+    use(loads.displaced_m3), use(loads.submersion);
+    use(loads.water_height_m), use(loads.water_slope_x), use(loads.water_slope_z);
+    for (glm::dvec3* v : {&loads.water_velocity_mps, &loads.water_rotation_radps, &loads.water_acceleration_mps2})
+        each(*v);
+    for (HullMatrix* matrix : {&loads.mass, &loads.stiffness})
+        for (auto& row : *matrix)
+            for (double& value : row) use(value);
+}
+
 template <class Use>
 void FloatingBodies::for_each_number(HullWake& wake, Use use) {
     use(wake.afloat_s_);
@@ -118,19 +120,46 @@ void FloatingBodies::for_each_number(HullWake& wake, Use use) {
     }
 }
 
+/// The jobs of a step, and what they work on.
+struct FloatingBodies::Jobs {
+    static constexpr std::size_t count = 64;
+
+    void run(std::size_t job) {
+        const std::size_t bodies_a_job = (bodies.size() + count - 1) / count;
+        const std::size_t end = std::min((job + 1) * bodies_a_job, bodies.size());
+        std::vector<Hull::Moving>& moving = hulls[job];
+        moving.clear();
+        for (std::size_t i = job * bodies_a_job; i < end; ++i)
+            moving.push_back({bodies[i].kind->hull, bodies[i].state, bodies[i].inputs, bodies[i].loads});
+        if (!moving.empty()) Hull::advance(*water, moving, step_s, workspaces[job]);
+    }
+
+    const SurfaceQuery* water = nullptr;
+    std::span<Body> bodies;
+    double step_s = 0;
+    std::array<HullWorkspace, count> workspaces;
+    std::array<std::vector<Hull::Moving>, count> hulls;
+    std::shared_ptr<Executor> executor;
+    JobGraph graph;
+    std::unique_ptr<GraphRun> graph_run;
+};
+
 FloatingBodies::FloatingBodies(std::shared_ptr<Executor> executor, DynamicWaves* waves)
-    : waves_(waves), jobs_(std::move(executor)) {}
+    : waves_(waves), jobs_(new Jobs) {
+    if (!executor) throw std::invalid_argument("executor is null, expected an executor");
+    jobs_->executor = std::move(executor);
+    jobs_->graph.add(
+        {.name = "hulls", .count = Jobs::count, .body = [jobs = jobs_.get()](std::size_t begin, std::size_t end) {
+             for (std::size_t job = begin; job < end; ++job) jobs->run(job);
+         }});
+    jobs_->graph_run = jobs_->executor->prepare(jobs_->graph);
+}
 
 FloatingBodies::~FloatingBodies() = default;
 
-const FloatingBodies::Kind& FloatingBodies::kind_of(std::shared_ptr<const Hull> hull) {
-    const std::uint64_t digest = hull->digest();
-    const auto known =
-        std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& kind) { return kind.digest == digest; });
-    if (known != kinds_.end()) return *known;
-    Kind kind{.hull = std::move(hull), .digest = digest, .wake = {}};
-    if (waves_) kind.wake = HullWake(*waves_, *kind.hull);
-    return kinds_.emplace_back(std::move(kind));
+FloatingBodies::Kind::Kind(const Hull& of, std::uint64_t its_digest, DynamicWaves* waves)
+    : hull(of), digest(its_digest) {
+    if (waves) wake = HullWake(*waves, hull);
 }
 
 std::size_t FloatingBodies::index_of(std::uint32_t number) const {
@@ -141,24 +170,20 @@ std::size_t FloatingBodies::index_of(std::uint32_t number) const {
     return static_cast<std::size_t>(at - bodies_.begin());
 }
 
-std::uint32_t FloatingBodies::add(std::shared_ptr<const Hull> hull, const HullState& state) {
-    if (!hull) throw std::invalid_argument("hull is null, expected a hull");
+std::uint32_t FloatingBodies::add(const Hull& hull, const HullState& state) {
     require(Hull::check(state));
-    const Kind& kind = kind_of(std::move(hull));
-    FloatingHull floating{.hull = kind.hull.get(), .state = state};
-    const auto make_room = [](auto& vector) {
-        if (vector.size() == vector.capacity()) vector.reserve(2 * vector.size() + 4);
-    };
-    make_room(bodies_);
-    make_room(hulls_);
-    std::unique_ptr<HullWake> wake;
+    const std::uint64_t digest = hull.digest();
+    const auto known =
+        std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& kind) { return kind.digest == digest; });
+    const Kind& kind = known != kinds_.end() ? *known : kinds_.emplace_back(hull, digest, waves_);
+    if (bodies_.size() == bodies_.capacity()) bodies_.reserve(2 * bodies_.size() + 4);
+    Body body{{.state = state}, next_number_, &kind, {}};
     if (waves_) {
-        wake = std::make_unique<HullWake>(*kind.wake);
-        wake->launch(state);
-        floating.inputs.wake = wake.get();
+        body.wake = std::make_unique<HullWake>(*kind.wake);
+        body.wake->launch(state);
+        body.inputs.wake = body.wake.get();
     }
-    bodies_.push_back({next_number_, &kind, std::move(wake)});
-    hulls_.push_back(floating);
+    bodies_.push_back(std::move(body));
     return next_number_++;
 }
 
@@ -166,7 +191,6 @@ void FloatingBodies::remove(std::uint32_t number) {
     const auto at = std::find_if(bodies_.begin(), bodies_.end(), [&](const Body& b) { return b.number == number; });
     if (at == bodies_.end()) return;
     if (at->wake) waves_->remove_source(at->wake->source_);
-    hulls_.erase(hulls_.begin() + (at - bodies_.begin()));
     bodies_.erase(at);
 }
 
@@ -174,53 +198,55 @@ void FloatingBodies::clear() {
     for (const Body& body : bodies_)
         if (body.wake) waves_->remove_source(body.wake->source_);
     bodies_.clear();
-    hulls_.clear();
 }
 
-const Hull& FloatingBodies::hull(std::uint32_t number) const { return *hulls_[index_of(number)].hull; }
-const HullState& FloatingBodies::state(std::uint32_t number) const { return hulls_[index_of(number)].state; }
-const HullInputs& FloatingBodies::inputs(std::uint32_t number) const { return hulls_[index_of(number)].inputs; }
-const HullLoads& FloatingBodies::loads(std::uint32_t number) const { return hulls_[index_of(number)].loads; }
+const Hull& FloatingBodies::hull(std::uint32_t number) const { return body_of(number).kind->hull; }
+const HullState& FloatingBodies::state(std::uint32_t number) const { return body_of(number).state; }
+const HullInputs& FloatingBodies::inputs(std::uint32_t number) const { return body_of(number).inputs; }
+const HullLoads& FloatingBodies::loads(std::uint32_t number) const { return body_of(number).loads; }
 
 void FloatingBodies::set_state(std::uint32_t number, const HullState& state) {
-    const std::size_t i = index_of(number);
+    Body& body = bodies_[index_of(number)];
     require(Hull::check(state));
-    hulls_[i].state = state;
+    body.state = state;
 }
 
 void FloatingBodies::set_inputs(std::uint32_t number, const HullInputs& inputs) {
-    const std::size_t i = index_of(number);
+    Body& body = bodies_[index_of(number)];
     require(Hull::check(inputs));
-    hulls_[i].inputs = inputs;
-    hulls_[i].inputs.wake = bodies_[i].wake.get();
+    body.inputs = inputs;
+    body.inputs.wake = body.wake.get();
 }
 
 void FloatingBodies::press(const Frame& frame, double tick_s) {
-    HullWake::check_step(tick_s);
+    HullWake::check_tick(tick_s);
     if (!waves_) return;
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        bodies_[i].wake->press(frame, hulls_[i].state, hulls_[i].loads, tick_s);
+    for (Body& body : bodies_) body.wake->press(frame, body.state, body.loads, tick_s);
 }
 
-bool FloatingBodies::step(const SurfaceQuery& water, double step_s) {
+bool FloatingBodies::step(const Frame& frame, double step_s) {
+    const SurfaceQuery water(frame);
     Hull::check_step(water, step_s);
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        if (const std::string reason = Hull::check(hulls_[i].state); !reason.empty())
-            throw std::invalid_argument("body " + std::to_string(bodies_[i].number) + ": " + reason);
-    return jobs_.step(water, hulls_, step_s);
+    for (const Body& body : bodies_)
+        if (const std::string reason = Hull::check(body.state); !reason.empty())
+            throw std::invalid_argument("body " + std::to_string(body.number) + ": " + reason);
+    jobs_->water = &water;
+    jobs_->bodies = bodies_;
+    jobs_->step_s = step_s;
+    jobs_->graph_run->run();
+    return Hull::Steps(step_s).are_all;
 }
 
 std::vector<std::uint8_t> FloatingBodies::save_state() const {
     SavedHeader header{saved_format, 0, bodies_.size(), next_number_, waves_ != nullptr};
     std::vector<std::uint8_t> bytes(sizeof header);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const Body& body = bodies_[i];
+    for (const Body& body : bodies_) {
         SavedBody saved{body.number, body.kind->digest, 0, 0};
         if (body.wake) saved.source = body.wake->source_, saved.cells = body.wake->plan_.low_m.size();
         append(bytes, saved);
         const auto put = [&](const auto& number) { append(bytes, number); };
-        FloatingHull floating = hulls_[i];
-        pelagic::for_each_number(floating, put);
+        Motion motion = body;
+        for_each_number(motion, put);
         if (body.wake) for_each_number(*body.wake, put);
     }
     std::memcpy(bytes.data(), &header, sizeof header);
@@ -229,8 +255,7 @@ std::vector<std::uint8_t> FloatingBodies::save_state() const {
     return bytes;
 }
 
-FloatingBodies::Body FloatingBodies::read_body(Reader& from, std::uint32_t last_number,
-                                               FloatingHull& floating) const {
+FloatingBodies::Body FloatingBodies::read_body(Reader& from, std::uint32_t last_number) const {
     const auto saved = from.next<SavedBody>();
     if (saved.number <= last_number || saved.number > std::numeric_limits<std::uint32_t>::max())
         throw std::invalid_argument(
@@ -240,10 +265,9 @@ FloatingBodies::Body FloatingBodies::read_body(Reader& from, std::uint32_t last_
         std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& known) { return known.digest == saved.digest; });
     if (kind == kinds_.end())
         throw std::invalid_argument(name + " has an unknown hull, expected one that was added to these bodies");
-    Body body{static_cast<std::uint32_t>(saved.number), &*kind, {}};
-    floating.hull = kind->hull.get();
-    pelagic::for_each_number(floating, std::ref(from));
-    for (const std::string& reason : {Hull::check(floating.state), Hull::check(floating.inputs)})
+    Body body{{}, static_cast<std::uint32_t>(saved.number), &*kind, {}};
+    for_each_number(body, std::ref(from));
+    for (const std::string& reason : {Hull::check(body.state), Hull::check(body.inputs)})
         if (!reason.empty()) throw std::invalid_argument(name + ": " + reason);
     if (!waves_) return body;
     body.wake = std::make_unique<HullWake>(*kind->wake);
@@ -251,7 +275,7 @@ FloatingBodies::Body FloatingBodies::read_body(Reader& from, std::uint32_t last_
         throw std::invalid_argument(name + "'s wake has " + number_text(saved.cells) + " cells, expected " +
                                     number_text(cells) + " as on these dynamic waves");
     body.wake->source_ = static_cast<std::uint32_t>(saved.source);
-    floating.inputs.wake = body.wake.get();
+    body.inputs.wake = body.wake.get();
     for_each_number(*body.wake, std::ref(from));
     for (const PressureFootprint* footprint :
          {&body.wake->next_, &body.wake->acted_[0], &body.wake->acted_[1], &body.wake->acted_[2]})
@@ -274,12 +298,9 @@ void FloatingBodies::restore_state(std::span<const std::uint8_t> saved) {
         throw std::invalid_argument(invalid_value_message("the next number", header.next_number, "[1, 2^32)"));
     if (header.count > from.rest.size() / sizeof(SavedBody)) Reader::throw_size();
     std::vector<Body> bodies;
-    std::vector<FloatingHull> hulls;
     std::uint32_t last_number = 0;
     for (std::uint64_t i = 0; i < header.count; ++i) {
-        FloatingHull floating;
-        bodies.push_back(read_body(from, last_number, floating));
-        hulls.push_back(floating);
+        bodies.push_back(read_body(from, last_number));
         last_number = bodies.back().number;
     }
     if (!from.rest.empty()) Reader::throw_size();
@@ -287,7 +308,6 @@ void FloatingBodies::restore_state(std::span<const std::uint8_t> saved) {
         throw std::invalid_argument(
             invalid_value_message("the next number", header.next_number, "more than that of each body"));
     bodies_.swap(bodies);
-    hulls_.swap(hulls);
     next_number_ = static_cast<std::uint32_t>(header.next_number);
 }
 

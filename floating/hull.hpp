@@ -236,7 +236,7 @@ class Hull {
               HullWorkspace& workspace) const;
 
    private:
-    friend class FloatingHulls;
+    friend class FloatingBodies;
     friend class HullSpray;
     friend class HullWake;
     double floating_m3() const { return floating_volume_m3_; }
@@ -254,6 +254,16 @@ class Hull {
         double each_s;
         bool are_all;
     };
+    /// A hull in a step.
+    struct Moving {
+        const Hull& hull;
+        HullState& state;
+        const HullInputs& inputs;
+        HullLoads& loads;  ///< receives those of the last part of the step
+    };
+    /// Advances hulls as step(), without checks and with one query for all.
+    static bool advance(const SurfaceQuery& water, std::span<const Moving> hulls, double step_s,
+                        HullWorkspace& workspace);
     struct Speeds;
     HullMatrix turning_by(const glm::dvec3& spin, double submersion) const;
     static void drift(HullState& state, double seconds);

@@ -1,8 +1,9 @@
 // Spray and foam of a hull whose faces strike the surface: bow impact and planing.
 //
 //   HullSpray thrown(hull);
-//   hulls.step(SurfaceQuery(frame), boats, tick_s);
-//   thrown.update(SurfaceQuery(frame), boats[0].state, boats[0].loads, tick_s, workspace);
+//   bodies.step(frame, tick_s);                                          // FloatingBodies
+//   thrown.update(SurfaceQuery(frame), bodies.state(boat), bodies.loads(boat), tick_s, workspace,
+//                 bodies.inputs(boat).wake);
 //   spray.emit(thrown.emitters());                                       // sim/spray.hpp
 //   for (const Disturbance& foam : thrown.foam()) waves.add_impulse(foam);
 //

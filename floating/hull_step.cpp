@@ -112,20 +112,36 @@ Hull::Steps::Steps(double step_s) {
 
 bool Hull::step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
                 HullWorkspace& workspace) const {
-    const DefaultFloatEnvironment environment;
     check_step(water, step_s);
     require(check(state));
     require(check(inputs));
+    HullLoads loads;
+    const Moving moving{*this, state, inputs, loads};
+    return advance(water, {&moving, 1}, step_s, workspace);
+}
+
+bool Hull::advance(const SurfaceQuery& water, std::span<const Moving> hulls, double step_s,
+                   HullWorkspace& workspace) {
+    const DefaultFloatEnvironment environment;
     const Steps steps(step_s);
-    HullState end = state;
     // The frame does not show how the water moves in the parts of a step.
-    if (steps.count > 1) end.has_previous_step = false;
+    if (steps.count > 1)
+        for (const Moving& of : hulls) of.state.has_previous_step = false;
     for (int i = 0; i < steps.count; ++i) {
-        drift(end, 0.5 * steps.each_s);
-        const HullLoads forces = loads(water, end, steps.each_s, inputs, workspace);
-        complete_step(end, forces, steps.each_s, inputs);
+        workspace.x.clear();
+        workspace.z.clear();
+        for (const Moving& of : hulls) {
+            drift(of.state, 0.5 * steps.each_s);
+            of.hull.append_points(of.state, workspace);
+        }
+        workspace.sample(water);
+        std::size_t point = 0;
+        for (const Moving& of : hulls) {
+            of.loads = of.hull.loads_at(water, point, of.state, steps.each_s, of.inputs, workspace);
+            of.hull.complete_step(of.state, of.loads, steps.each_s, of.inputs);
+            point += of.hull.arms_m_.size();
+        }
     }
-    state = end;
     return steps.are_all;
 }
 

@@ -69,14 +69,14 @@ double HullWake::launched_at(double afloat_s) const {
 
 /// Depth of the hull in each cell: from the lowest point to the water's mean surface or the highest
 /// point, along the hull's own vertical, scaled to the displaced volume.
-void HullWake::shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double step_s) {
+void HullWake::shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double tick_s) {
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     const double across = std::sqrt(axes[0].x * axes[0].x + axes[0].z * axes[0].z);
     if (across > 1e-3) {  // else the hull stands on its bow or stern, and keeps its last heading
         footprint.forward_x = axes[0].x / across;
         footprint.forward_z = axes[0].z / across;
     }
-    const double launched_before = launched_at(afloat_s_ - step_s), launched = launched_at(afloat_s_);
+    const double launched_before = launched_at(afloat_s_ - tick_s), launched = launched_at(afloat_s_);
     const double upright = axes[1].y;
     // A hull on its side has no columns along its own vertical: the limit leaves its volume to the
     // scale below.
@@ -110,7 +110,7 @@ void HullWake::shape(PressureFootprint& footprint, const HullState& state, const
     const bool presses = launched_before > 0 && std::any_of(depth_before_m_.begin(), depth_before_m_.end(),
                                                             [](float depth) { return depth > 0; });
     const double growth = presses ? launched / launched_before : 0;
-    const double part = presses ? step_s / (step_s + shape_s()) : 1;
+    const double part = presses ? tick_s / (tick_s + shape_s()) : 1;
     // Waves do not feel what lies deeper than half of their length, and the shortest that a hull
     // makes are as long as it is wide.
     const double deepest_m = std::min({plan_.length_m / 2, plan_.beam_m / 2, 100.0});
@@ -162,27 +162,27 @@ glm::dvec3 HullWake::middle_of_plan_m(const HullState& state) const {
     return glm::mat3_cast(state.orientation) * (glm::dvec3(plan_.x_m, 0, plan_.z_m) - hull_->centre_of_mass_m());
 }
 
-void HullWake::check_step(double step_s) {
-    if (!(step_s >= 0 && std::isfinite(step_s)))
-        throw std::invalid_argument(invalid_value_message("tick_s", step_s, "[0, inf) s"));
+void HullWake::check_tick(double tick_s) {
+    if (!(tick_s >= 0 && std::isfinite(tick_s)))
+        throw std::invalid_argument(invalid_value_message("tick_s", tick_s, "[0, inf) s"));
 }
 
-void HullWake::press(const Frame& frame, const HullState& state, const HullLoads& loads, double step_s) {
+void HullWake::press(const Frame& frame, const HullState& state, const HullLoads& loads, double tick_s) {
     const DefaultFloatEnvironment environment;
-    check_step(step_s);
-    if (step_s == 0) return;
-    step_s = std::min(step_s, longest_s);
+    check_tick(tick_s);
+    if (tick_s == 0) return;
+    tick_s = std::min(tick_s, longest_s);
     const FrameTick now = tick_of(frame.time_s);
     if (afloat_s_ > 0) keep_acted(now.tick);
     tick_ = now.tick;
-    afloat_s_ += step_s;
+    afloat_s_ += tick_s;
     // the current carries the grid, too
     const glm::dvec3 current(frame.water_frame.current_x_mps, 0, frame.water_frame.current_z_mps);
     const glm::dvec3 pressure_before_m = pressure_m_;
-    pressure_m_ += state.position_m - hull_m_ - step_s * (loads.water_velocity_mps - current);
-    pressure_m_ += std::min(step_s / return_s, 1.0) * (state.position_m - pressure_m_);
+    pressure_m_ += state.position_m - hull_m_ - tick_s * (loads.water_velocity_mps - current);
+    pressure_m_ += std::min(tick_s / return_s, 1.0) * (state.position_m - pressure_m_);
     hull_m_ = state.position_m;
-    const glm::dvec3 velocity_mps = (pressure_m_ - pressure_before_m) / step_s;
+    const glm::dvec3 velocity_mps = (pressure_m_ - pressure_before_m) / tick_s;
     const glm::dvec3 middle = middle_of_plan_m(state);
     // The frame after the next tick shows that tick's water, whose hollow lies half a tick ahead of
     // the pressure.
@@ -191,7 +191,7 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
     next_.z_m = pressure_m_.z + middle.z + ahead_s * velocity_mps.z;
     next_.velocity_x_mps = std::clamp(velocity_mps.x, -fastest_mps, fastest_mps);
     next_.velocity_z_mps = std::clamp(velocity_mps.z, -fastest_mps, fastest_mps);
-    shape(next_, state, loads, step_s);
+    shape(next_, state, loads, tick_s);
     waves_->set_footprint(source_, next_);
 }
 

@@ -1,11 +1,14 @@
 // Coupling of a hull with dynamic waves: the water that the hull displaces is the pressure that
 // makes its wake.
 //
+// FloatingBodies has a wake for each body. An application with a physics engine, which moves its
+// hulls itself, makes them:
+//
 //   HullWake wake(waves, hull, state);                       // waves: ocean.dynamic_waves()
 //   const Frame& frame = ocean.complete();
-//   wake.press(frame, state, loads, step_s);
-//   ocean.schedule(frame.time_s + step_s);
-//   hulls.step(SurfaceQuery(frame), ..., step_s);            // with HullInputs::wake = &wake
+//   wake.press(frame, state, loads, tick_s);
+//   ocean.schedule(frame.time_s + tick_s);
+//   loads = hull.loads(SurfaceQuery(frame), state, tick_s, {.wake = &wake}, workspace);
 //
 // The loads of a hull leave out the hollow that its own pressure makes at rest, because that
 // pressure is its buoyancy. Waves that it radiated earlier stay, for itself and for others.
@@ -45,12 +48,12 @@ class HullWake {
     /// \param frame   the frame completed last; frames may be any time apart
     /// \param state   of the hull at the frame's time
     /// \param loads   of the hull's last step
-    /// \param step_s  time since the last call; 0 changes nothing
-    /// \throws std::invalid_argument  if step_s is negative or not finite
-    void press(const Frame& frame, const HullState& state, const HullLoads& loads, double step_s);
+    /// \param tick_s  time since the last call; 0 changes nothing
+    /// \throws std::invalid_argument  if tick_s is negative or not finite
+    void press(const Frame& frame, const HullState& state, const HullLoads& loads, double tick_s);
 
     /// Checks the time of a step. \throws std::invalid_argument  what press() throws
-    static void check_step(double step_s);
+    static void check_tick(double tick_s);
 
     /// Returns four periods of waves with the hull's length. A change of this duration makes hardly
     /// any waves.
@@ -99,7 +102,7 @@ class HullWake {
     };
     ActingFootprint acting_at(std::int64_t tick, std::int64_t now) const;
     void keep_acted(std::int64_t tick);
-    void shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double step_s);
+    void shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double tick_s);
     struct Hollow;
 
     DynamicWaves* waves_;

@@ -1,12 +1,11 @@
-// Floating bodies through the C interface: bit-identical to hulls and wakes of the C++ interface,
-// and after a rollback.
+// Floating bodies through the C interface: bit-identical to those of the C++ interface, and after a
+// rollback.
 #include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "pelagic/floating/floating_hulls.hpp"
-#include "pelagic/floating/hull_wake.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/capi_hulls.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -88,24 +87,20 @@ class CInterfaceBodies : public testing::Test {
     }
 };
 
-// The other side of the comparison has its own hulls, wakes and dynamic waves.
-TEST_F(CInterfaceBodies, EqualHullsAndWakesOfTheCppInterfaceOver200Ticks) {
+// The other side of the comparison has its own hulls and dynamic waves.
+TEST_F(CInterfaceBodies, EqualBodiesOfTheCppInterfaceOver200Ticks) {
     Ocean sea(
         {.resolution = 32, .patch_size_m = 250, .wind_speed_mps = 12},
         {.executor = make_serial_executor(), .queries = true, .velocities = true, .dynamic_waves = waves_options});
     const Hull kinds[] = {Hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500}),
                           Hull(boat_mesh(4, 1.7, 0.8), {.mass_kg = 350})};
-    std::vector<FloatingHull> hulls = {{.hull = &kinds[0], .state = kinds[0].at_rest(-4, 1, 0.2)},
-                                       {.hull = &kinds[1], .state = kinds[1].at_rest(5, -2, -1)},
-                                       {.hull = &kinds[1], .state = kinds[1].at_rest(0, 8)}};
-    hulls[2].state.position_m.y += 2;
-    std::vector<HullWake> wakes;
-    wakes.reserve(hulls.size());
-    for (FloatingHull& floating : hulls)
-        floating.inputs.wake = &wakes.emplace_back(sea.dynamic_waves(), *floating.hull, floating.state);
-    hulls[0].inputs.force.force_n.x = 2000;
-    hulls[0].inputs.wind_mps.z = 4;
-    FloatingHulls jobs(make_serial_executor());
+    FloatingBodies expected(make_serial_executor(), &sea.dynamic_waves());
+    HullState above_it = kinds[1].at_rest(0, 8);
+    above_it.position_m.y += 2;
+    expected.add(kinds[0], kinds[0].at_rest(-4, 1, 0.2));
+    expected.add(kinds[1], kinds[1].at_rest(5, -2, -1));
+    expected.add(kinds[1], above_it);
+    expected.set_inputs(1, {.force = {.force_n = {2000, 0, 0}}, .wind_mps = {0, 0, 4}});
 
     const COcean ocean = water();
     const CBodies bodies = bodies_of(ocean);
@@ -122,16 +117,16 @@ TEST_F(CInterfaceBodies, EqualHullsAndWakesOfTheCppInterfaceOver200Ticks) {
     // The dropped hull meets the water after 40 ticks.
     for (int tick = 0; tick < (is_sanitized ? 60 : 200); ++tick) {
         const Frame& frame = sea.frame_at(tick * tick_s);
-        for (std::size_t i = 0; i < hulls.size(); ++i) wakes[i].press(frame, hulls[i].state, hulls[i].loads, tick_s);
-        jobs.step(SurfaceQuery(frame), hulls, tick_s);
+        expected.press(frame, tick_s);
+        expected.step(frame, tick_s);
         advance(ocean, bodies, tick);
-        for (std::uint32_t i = 0; i < 3; ++i)
-            ASSERT_EQ(difference(state_of(bodies, i + 1), hulls[i].state), "") << tick << ", body " << i + 1;
+        for (std::uint32_t i = 1; i <= 3; ++i)
+            ASSERT_EQ(difference(state_of(bodies, i), expected.state(i)), "") << tick << ", body " << i;
         ASSERT_EQ(waves_hash(ocean), hash_of(frame.dynamic_waves)) << tick;
     }
     auto loads = sized<pelagic_hull_loads>();
     ASSERT_EQ(pelagic_bodies_get_loads(bodies.get(), 3, &loads), PELAGIC_OK);
-    EXPECT_EQ(loads.total.force_n[1], hulls[2].loads.total().force_n.y);
+    EXPECT_EQ(loads.total.force_n[1], expected.loads(3).total().force_n.y);
     EXPECT_GT(loads.displaced_m3, 0);
 }
 

@@ -8,9 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/floating/hull_spray.hpp"
-#include "pelagic/floating/hull_wake.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
@@ -23,33 +22,33 @@ namespace {
 
 constexpr double hull_step_s = 1.0 / 64;  // times are exact in every rounding mode
 
-/// Hulls on a grid, above the water, at rest and in it, each with another force.
-std::vector<FloatingHull> fleet(const Hull& hull, int count) {
-    std::vector<FloatingHull> hulls;
+/// Adds hulls on a grid, above the water, at rest and in it, each with another force.
+void add_fleet(FloatingBodies& bodies, const Hull& hull, int count) {
     for (int i = 0; i < count; ++i) {
-        FloatingHull floating{.hull = &hull, .state = hull.at_rest(i % 5 * 30.0, i / 5 * 30.0, 0.3 * i)};
-        floating.state.position_m.y += i % 3;
-        floating.state.angular_velocity_radps = {0.3, -0.2, 0.1 * (i % 4)};
-        floating.inputs = {.force = {.force_n = {100.0 * i, 0, 50}}, .wind_mps = {10, 0, 3}};
-        hulls.push_back(floating);
+        HullState state = hull.at_rest(i % 5 * 30.0, i / 5 * 30.0, 0.3 * i);
+        state.position_m.y += i % 3;
+        state.angular_velocity_radps = {0.3, -0.2, 0.1 * (i % 4)};
+        bodies.set_inputs(bodies.add(hull, state),
+                          {.force = {.force_n = {100.0 * i, 0, 50}}, .wind_mps = {10, 0, 3}});
     }
-    return hulls;
 }
 
 std::uint64_t trajectory_hash(Isa isa, std::shared_ptr<Executor> executor) {
     Ocean ocean(rough_sea, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
     const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500});
-    FloatingHulls jobs(executor);
-    std::vector<FloatingHull> hulls = fleet(hull, 16);
+    FloatingBodies bodies(executor);
+    add_fleet(bodies, hull, 16);
     std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
     for (int i = 0; i < (is_sanitized ? 10 : 60); ++i) {
-        jobs.step(SurfaceQuery(ocean.frame_at((i + 0.5) * hull_step_s)), hulls, hull_step_s);
-        for (const FloatingHull& floating : hulls)
+        bodies.step(ocean.frame_at((i + 0.5) * hull_step_s), hull_step_s);
+        for (std::uint32_t number = 1; number <= bodies.size(); ++number) {
+            const HullState& state = bodies.state(number);
             for (int axis = 0; axis < 3; ++axis)
-                for (const double value : {floating.state.position_m[axis], floating.state.velocity_mps[axis],
-                                           floating.state.angular_velocity_radps[axis],
-                                           floating.state.orientation[axis], floating.loads.total().force_n[axis]})
+                for (const double value :
+                     {state.position_m[axis], state.velocity_mps[axis], state.angular_velocity_radps[axis],
+                      state.orientation[axis], bodies.loads(number).total().force_n[axis]})
                     hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
+        }
     }
     return hash;
 }
@@ -68,36 +67,33 @@ TEST(HullDeterminism, TrajectoriesAreBitIdenticalOnEachInstructionSetAndThreadCo
 TEST(HullDeterminism, ARollbackOf30TicksReplaysBitEqual) {
     Ocean ocean(rough_sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
     const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500});
-    FloatingHulls jobs(make_serial_executor());
-    std::vector<FloatingHull> hulls = fleet(hull, 3), saved;
+    FloatingBodies bodies(make_serial_executor());
+    add_fleet(bodies, hull, 3);
+    HullState alone = bodies.state(2);
     const auto advance = [&](int from, int to) {
-        for (int i = from; i < to; ++i)
-            jobs.step(SurfaceQuery(ocean.frame_at((i + 0.5) * hull_step_s)), hulls, hull_step_s);
+        for (int i = from; i < to; ++i) bodies.step(ocean.frame_at((i + 0.5) * hull_step_s), hull_step_s);
     };
     advance(0, 20);
-    saved = hulls;
+    const std::vector<std::uint8_t> saved = bodies.save_state();
     advance(20, 50);
-    const std::vector<FloatingHull> once = hulls;
-    hulls = saved;
+    const std::vector<std::uint8_t> once = bodies.save_state();
+    bodies.restore_state(saved);
     advance(20, 50);
-    for (std::size_t i = 0; i < hulls.size(); ++i) EXPECT_TRUE(equal(hulls[i].state, once[i].state)) << i;
-    // one hull without the batch
-    HullState alone = fleet(hull, 3)[1].state;
+    EXPECT_TRUE(bodies.save_state() == once);
+    // one hull without the set
     HullWorkspace workspace;
     for (int i = 0; i < 50; ++i)
-        hull.step(SurfaceQuery(ocean.frame_at((i + 0.5) * hull_step_s)), alone, hull_step_s, hulls[1].inputs,
+        hull.step(SurfaceQuery(ocean.frame_at((i + 0.5) * hull_step_s)), alone, hull_step_s, bodies.inputs(2),
                   workspace);
-    EXPECT_TRUE(equal(alone, hulls[1].state));
+    EXPECT_TRUE(equal(alone, bodies.state(2)));
 }
 
 /// A boat under way in waves, with all that it does to the water.
 struct Voyage {
     Ocean ocean;
     Hull hull;
-    std::vector<FloatingHull> hulls;
-    HullWake wake;
+    FloatingBodies bodies;
     HullSpray thrown;
-    FloatingHulls jobs;
     HullWorkspace workspace;
     std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a of the emitters
     std::size_t droplets = 0;
@@ -110,22 +106,21 @@ struct Voyage {
                             .velocities = true,
                             .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}}),
           hull(mesh, {.mass_kg = 2000}),
-          hulls(1, {.hull = &hull, .state = hull.at_rest(3, -2, 0.4)}),
-          wake(ocean.dynamic_waves(), hull, hulls[0].state),
-          thrown(hull),
-          jobs(executor) {
-        hulls[0].inputs = {.force = {.force_n = {9000, 0, 3000}}, .wake = &wake};
-        hulls[0].state.velocity_mps = {8, 0, 3};
+          bodies(executor, &ocean.dynamic_waves()),
+          thrown(hull) {
+        HullState state = hull.at_rest(3, -2, 0.4);
+        state.velocity_mps = {8, 0, 3};
+        bodies.set_inputs(bodies.add(hull, state), {.force = {.force_n = {9000, 0, 3000}}});
     }
 
     void advance(int from, int to) {
         for (int tick = from; tick < to; ++tick) {
             ocean.schedule(tick * hull_step_s);
             const Frame& frame = ocean.complete();
-            FloatingHull& boat = hulls[0];
-            wake.press(frame, boat.state, boat.loads, hull_step_s);
-            jobs.step(SurfaceQuery(frame), hulls, hull_step_s);
-            thrown.update(SurfaceQuery(frame), boat.state, boat.loads, hull_step_s, workspace, &wake);
+            bodies.press(frame, hull_step_s);
+            bodies.step(frame, hull_step_s);
+            thrown.update(SurfaceQuery(frame), bodies.state(1), bodies.loads(1), hull_step_s, workspace,
+                          bodies.inputs(1).wake);
             for (const Disturbance& foam : thrown.foam()) ocean.dynamic_waves().add_impulse(foam);
             droplets += thrown.emitters().size();
             for (const SprayEmitter& emitter : thrown.emitters())
@@ -160,7 +155,7 @@ TEST(HullDeterminism, HullsDoNotDependOnTheCallersRoundingMode) {
     const auto hash = [&](const std::shared_ptr<Executor>& executor) {
         Voyage voyage(choose_isa(), executor, HullMesh(mesh.vertices(), mesh.triangles()));
         voyage.advance(0, 30);
-        const HullState state = voyage.hulls[0].state;
+        const HullState state = voyage.bodies.state(1);
         std::uint64_t sum = voyage.hash ^ hash_of(voyage.ocean.dynamic_waves().view());
         for (int axis = 0; axis < 3; ++axis) sum = sum * 31 + std::bit_cast<std::uint64_t>(state.position_m[axis]);
         HullState apart = state;
@@ -169,14 +164,13 @@ TEST(HullDeterminism, HullsDoNotDependOnTheCallersRoundingMode) {
         const HullLoads loads = voyage.hull.loads(water, apart, hull_step_s, {}, workspace);
         voyage.hull.accelerate(apart, loads, hull_step_s);
         voyage.hull.step(water, apart, hull_step_s, {}, workspace);
-        voyage.hulls[0].inputs.wake = nullptr;
-        for (const double hitch_s : {0.25, 0.7}) voyage.jobs.step(water, voyage.hulls, hitch_s);
+        for (const double hitch_s : {0.25, 0.7}) voyage.bodies.step(water.frame(), hitch_s);
         const glm::dvec3 origin_m = voyage.hull.mesh_origin_m(apart),
                          rest_m = voyage.hull.at_rest(water, 1, 2, 3).position_m;
         for (int axis = 0; axis < 3; ++axis)
             for (const double value :
                  {apart.position_m[axis], apart.velocity_mps[axis], origin_m[axis], rest_m[axis],
-                  voyage.hulls[0].state.position_m[axis]})
+                  voyage.bodies.state(1).position_m[axis]})
                 sum = sum * 31 + std::bit_cast<std::uint64_t>(value);
         return sum;
     };
@@ -198,8 +192,7 @@ TEST(HullDeterminism, SprayAndFoamReplay30TicksBitEqual) {
     voyage.ocean.schedule(40 * hull_step_s);
     voyage.ocean.complete();
     const std::vector<std::uint8_t> waves = voyage.ocean.dynamic_waves().save_state();
-    const std::vector<FloatingHull> hulls = voyage.hulls;
-    const HullWake wake = voyage.wake;
+    const std::vector<std::uint8_t> bodies = voyage.bodies.save_state();
     const HullSpray thrown = voyage.thrown;
     const auto replay = [&] {
         voyage.hash = 0;
@@ -209,8 +202,7 @@ TEST(HullDeterminism, SprayAndFoamReplay30TicksBitEqual) {
     const auto once = replay();
     EXPECT_NE(once.first, 0u) << "it throws water";
     voyage.ocean.dynamic_waves().restore_state(waves);
-    voyage.hulls = hulls;
-    voyage.wake = wake;
+    voyage.bodies.restore_state(bodies);
     voyage.thrown = thrown;
     EXPECT_EQ(replay(), once);
 }

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/spray.hpp"
 #include "pelagic/tests/hull_energy.hpp"
@@ -34,19 +34,21 @@ struct Thrower {
     Hull hull;
     HullSpray thrown;
     HullState state;
+    FloatingBodies bodies{make_serial_executor()};
     HullWorkspace workspace;
 
     explicit Thrower(Hull of, const HullSprayOptions& options = {})
-        : hull(std::move(of)), thrown(hull, options), state(hull.at_rest(0, 0)) {}
+        : hull(std::move(of)), thrown(hull, options), state(hull.at_rest(0, 0)) {
+        bodies.add(hull, state);
+    }
 
     HullLoads step(double step_s, const HullInputs& inputs = {}) {
-        // Hull::step() keeps its loads to itself, so this is what it does with them.
-        FloatingHulls jobs(make_serial_executor());
-        FloatingHull floating{.hull = &hull, .state = state, .inputs = inputs};
-        jobs.step(water.query(), std::span(&floating, 1), step_s);
-        state = floating.state;
-        thrown.update(water.query(), state, floating.loads, step_s, workspace);
-        return floating.loads;
+        bodies.set_state(1, state);
+        bodies.set_inputs(1, inputs);
+        bodies.step(water.frame(), step_s);
+        state = bodies.state(1);
+        thrown.update(water.query(), state, bodies.loads(1), step_s, workspace);
+        return bodies.loads(1);
     }
     /// Largest kinetic energy and momentum of the thrown water: all droplets have the largest
     /// deviation from their mean velocity.

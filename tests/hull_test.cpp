@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/hull_energy.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
@@ -515,10 +515,10 @@ TEST(Hull, AHitchIsDividedIntoSteps) {
     EXPECT_TRUE(equal(after(1, 1, true), after(0.1, 10, true)));
     EXPECT_TRUE(equal(after(20, 1, false), after(1, 1, true))) << "a second at most";
     EXPECT_TRUE(equal(after(0, 3, true), thrown()));
-    FloatingHulls jobs(make_serial_executor());
-    std::vector<FloatingHull> hulls(2, {.hull = &hull, .state = thrown()});
-    EXPECT_FALSE(jobs.step(water.query(), hulls, 20));
-    EXPECT_TRUE(equal(hulls[1].state, after(1, 1, true)));
+    FloatingBodies bodies(make_serial_executor());
+    for (const std::uint32_t number : {1u, 2u}) EXPECT_EQ(bodies.add(hull, thrown()), number);
+    EXPECT_FALSE(bodies.step(water.frame(), 20));
+    EXPECT_TRUE(equal(bodies.state(2), after(1, 1, true)));
     // without time nothing changes, and nothing is divided by it
     HullState state = thrown();
     const HullLoads loads = hull.loads(water.query(), state, 0, {}, workspace);
@@ -566,29 +566,35 @@ TEST(Hull, InvalidInputIsRefusedInOneLineAndChangesNothing) {
 
     const Hull hull(mesh, {.mass_kg = 1000});
     const StillWater water;
-    FloatingHulls jobs(make_serial_executor());
-    std::vector<FloatingHull> hulls(4, {.hull = &hull, .state = hull.at_rest(0, 0)});
-    for (FloatingHull& floating : hulls) floating.state.position_m.y += 1;
-    hulls[3].state.velocity_mps.z = NAN;
-    const HullState before = hulls[0].state;
-    EXPECT_EQ(message_of([&] { jobs.step(water.query(), hulls, hull_step_s); }),
-              "hull 3: the hull's velocity_mps is out of range [-1e4, 1e4]");
-    EXPECT_TRUE(equal(hulls[0].state, before));
-    hulls[3].state.velocity_mps.z = 0;
-    hulls[2].inputs.force.force_n.x = NAN;
-    EXPECT_THROW(jobs.step(water.query(), hulls, hull_step_s), std::invalid_argument);
-    EXPECT_TRUE(equal(hulls[0].state, before));
-    hulls[2].inputs = {};
-    hulls[1].state.submersion = NAN;
-    EXPECT_THROW(jobs.step(water.query(), hulls, hull_step_s), std::invalid_argument);
-    EXPECT_TRUE(equal(hulls[0].state, before));
-    hulls[1].state.submersion = 1;
-    EXPECT_THROW(jobs.step(water.query(), hulls, -0.01), std::invalid_argument);
-    EXPECT_THROW(jobs.step(water.query(), hulls, NAN), std::invalid_argument);
-    EXPECT_TRUE(equal(hulls[0].state, before));
+    FloatingBodies bodies(make_serial_executor());
+    HullState before = hull.at_rest(0, 0);
+    before.position_m.y += 1;
+    for (int i = 0; i < 4; ++i) bodies.add(hull, before);
+    HullState state = before;
+    state.velocity_mps.z = NAN;
+    EXPECT_EQ(message_of([&] { bodies.set_state(4, state); }),
+              "the hull's velocity_mps is out of range [-1e4, 1e4]");
+    state = before;
+    state.submersion = NAN;
+    EXPECT_THROW(bodies.set_state(4, state), std::invalid_argument);
+    EXPECT_TRUE(equal(bodies.state(4), before));
+    EXPECT_THROW(bodies.set_inputs(3, {.force = {.force_n = {NAN, 0, 0}}}), std::invalid_argument);
+    EXPECT_EQ(bodies.inputs(3).force.force_n.x, 0);
+    EXPECT_THROW(bodies.step(water.frame(), -0.01), std::invalid_argument);
+    EXPECT_THROW(bodies.step(water.frame(), NAN), std::invalid_argument);
     Ocean without_velocities(rough_sea, {.executor = make_serial_executor(), .queries = true});
-    EXPECT_THROW(jobs.step(SurfaceQuery(without_velocities.frame_at(0)), hulls, hull_step_s), std::invalid_argument);
-    EXPECT_TRUE(equal(hulls[0].state, before));
+    EXPECT_THROW(bodies.step(without_velocities.frame_at(0), hull_step_s), std::invalid_argument);
+    EXPECT_TRUE(equal(bodies.state(1), before));
+    // A body that leaves the range stops all.
+    state = before;
+    state.position_m.x = 1e8 - 1;
+    state.velocity_mps.x = 1e4;
+    bodies.set_state(4, state);
+    bodies.step(water.frame(), hull_step_s);
+    const HullState first = bodies.state(1);
+    EXPECT_EQ(message_of([&] { bodies.step(water.frame(), hull_step_s); }),
+              "body 4: the hull's position_m is out of range [-1e8, 1e8]");
+    EXPECT_TRUE(equal(bodies.state(1), first));
 }
 
 }  // namespace

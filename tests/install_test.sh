@@ -102,7 +102,7 @@ add_executable(floating_application main.cpp)
 target_link_libraries(floating_application PRIVATE pelagic::floating)
 END
 cat >"$work/floating_application/main.cpp" <<'END'
-#include "pelagic/floating/floating_hulls.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/floating/hull_plan.hpp"
 #include "pelagic/sim/ocean.hpp"
 
@@ -112,9 +112,10 @@ int main() {
     const std::vector<HullMesh::Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     const Hull hull(HullMesh(vertices, triangles), {.mass_kg = 400});
     Ocean ocean(SeaState{.resolution = 16}, {.queries = true, .velocities = true});
-    std::vector<FloatingHull> hulls{{.hull = &hull, .state = hull.at_rest(0, 0)}};
-    FloatingHulls(make_serial_executor()).step(SurfaceQuery(ocean.frame_at(0)), hulls, 1.0 / 60);
-    return hulls[0].loads.displaced_m3 > 0 ? 0 : 1;
+    FloatingBodies bodies(make_serial_executor());
+    const std::uint32_t body = bodies.add(hull, hull.at_rest(0, 0));
+    bodies.step(ocean.frame_at(0), 1.0 / 60);
+    return bodies.loads(body).displaced_m3 > 0 ? 0 : 1;
 }
 END
 "$cmake" -S "$work/floating_application" -B "$work/floating_build" -DCMAKE_PREFIX_PATH="$work/prefix" \

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "pelagic/floating/floating_bodies.hpp"
-#include "pelagic/floating/floating_hulls.hpp"
 #include "pelagic/floating/hull_plan.hpp"
 #include "pelagic/floating/hull_wake.hpp"
 #include "pelagic/quadtree/level_map.hpp"
@@ -128,17 +127,10 @@ TEST_F(MisuseTest, DynamicWavesOfAnOceanAdvanceWithIt) {
     EXPECT_TRUE(alone.advance(1));
 }
 
-TEST_F(MisuseTest, ExecutorsAndHullsAreNotNull) {
+TEST_F(MisuseTest, ExecutorsAreNotNull) {
     const auto no_executor = "executor is null, expected an executor";
     EXPECT_EQ(invalid([] { SurfaceQueryJobs(nullptr); }), no_executor);
-    EXPECT_EQ(invalid([] { FloatingHulls(nullptr); }), no_executor);
     EXPECT_EQ(invalid([] { FloatingBodies(nullptr); }), no_executor);
-    FloatingBodies bodies(make_serial_executor());
-    EXPECT_EQ(invalid([&] { bodies.add(nullptr, {}); }), "hull is null, expected a hull");
-    FloatingHulls hulls(make_serial_executor());
-    std::vector<FloatingHull> one(1);
-    EXPECT_EQ(invalid([&] { hulls.step(SurfaceQuery(ocean_.frame_at(0)), one, 0.01); }),
-              "hull 0 is null, expected a hull");
 }
 
 TEST_F(MisuseTest, HullsKeepToTheirArrays) {

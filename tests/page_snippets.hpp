@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pelagic/analytic/analytic_surface.hpp"
-#include "pelagic/floating/hull_wake.hpp"
+#include "pelagic/floating/hull_mesh.hpp"
 #include "pelagic/gl/functions.hpp"
 #include "pelagic/gl/sky/sky_baker.hpp"
 #include "pelagic/gl/water/sea_renderer.hpp"

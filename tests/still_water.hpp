@@ -34,7 +34,8 @@ class StillWater {
         folds_.update(cascade, kernels_for(choose_isa()));
     }
 
-    SurfaceQuery query() const { return SurfaceQuery(water_.frame); }
+    const Frame& frame() const { return water_.frame; }
+    SurfaceQuery query() const { return SurfaceQuery(frame()); }
 
    protected:
     std::size_t cells() const { return static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_); }

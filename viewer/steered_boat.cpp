@@ -18,7 +18,6 @@ constexpr glm::dvec3 centre_of_mass_m(-0.62, -0.1, 0);
 /// Half of those of a box, for a hull with a sharp bow.
 constexpr double pressure_coefficient = 0.35, suction_coefficient = 0.17;
 constexpr double roll_damping = 0.3;  // with bilge keels
-constexpr double longest_step_s = 0.1;
 
 /// Enough to plane: a third of the weight takes it over its bow wave at 4 m/s.
 constexpr double thrust_n = 14e3, astern_fraction = 0.4;
@@ -29,14 +28,13 @@ constexpr double largest_rudder_rad = 0.35;
 constexpr double rudder_m2 = 0.5, lift_slope = 3;
 constexpr double water_kgpm3 = 1025;
 
-std::shared_ptr<const Hull> boat_hull() {
+Hull boat_hull() {
     const gl::Boat::Surface surface = gl::Boat::hull();
-    return std::make_shared<const Hull>(HullMesh(surface.vertices, surface.triangles),
-                                        HullOptions{.mass_kg = mass_kg,
-                                                    .centre_of_mass_m = centre_of_mass_m,
-                                                    .roll_damping = roll_damping,
-                                                    .pressure_coefficient = pressure_coefficient,
-                                                    .suction_coefficient = suction_coefficient});
+    return Hull(HullMesh(surface.vertices, surface.triangles), {.mass_kg = mass_kg,
+                                                                .centre_of_mass_m = centre_of_mass_m,
+                                                                .roll_damping = roll_damping,
+                                                                .pressure_coefficient = pressure_coefficient,
+                                                                .suction_coefficient = suction_coefficient});
 }
 
 }  // namespace
@@ -44,8 +42,8 @@ std::shared_ptr<const Hull> boat_hull() {
 SteeredBoat::SteeredBoat(const Frame& frame, glm::dvec2 place_m, double heading_rad)
     : hull_(boat_hull()),
       bodies_(std::make_unique<FloatingBodies>(make_serial_executor())),
-      body_(bodies_->add(hull_, hull_->at_rest(SurfaceQuery(frame), place_m.x, place_m.y, heading_rad))),
-      thrown_(*hull_) {}
+      body_(bodies_->add(hull_, hull_.at_rest(SurfaceQuery(frame), place_m.x, place_m.y, heading_rad))),
+      thrown_(hull_) {}
 
 void SteeredBoat::float_on(DynamicWaves& waves) {
     const HullState state = bodies_->state(body_);
@@ -57,7 +55,7 @@ void SteeredBoat::leave_water() { bodies_->clear(); }
 
 HullForce SteeredBoat::engine_and_rudder(const Helm& helm) const {
     const glm::dmat3 axes = glm::mat3_cast(state().orientation);
-    const glm::dvec3 arm = axes * (propeller_m - hull_->centre_of_mass_m());
+    const glm::dvec3 arm = axes * (propeller_m - hull_.centre_of_mass_m());
     const double thrust = std::clamp(helm.thrust, -1., 1.) * thrust_n * (helm.thrust < 0 ? astern_fraction : 1);
     const double angle = std::clamp(helm.rudder, -1., 1.) * largest_rudder_rad;
     const glm::dvec3 water = bodies_->loads(body_).water_velocity_mps;
@@ -75,24 +73,15 @@ HullForce SteeredBoat::engine_and_rudder(const Helm& helm) const {
 
 void SteeredBoat::advance(const Frame& frame, double passed_s, const Helm& helm) {
     if (!(passed_s > 0)) return;
-    const SurfaceQuery water(frame);
-    const int steps = std::max(1, static_cast<int>(std::ceil(passed_s / longest_step_s)));
-    const double step_s = passed_s / steps;
-    for (int i = 0; i < steps; ++i) {
-        if (steps > 1) {  // the frame does not show how the water moves between them
-            HullState state = bodies_->state(body_);
-            state.has_previous_step = false;
-            bodies_->set_state(body_, state);
-        }
-        bodies_->set_inputs(body_, {.force = engine_and_rudder(helm)});
-        bodies_->step(water, step_s);
-        bodies_->press(frame, step_s);
-    }
-    thrown_.update(water, state(), bodies_->loads(body_), step_s, workspace_, bodies_->inputs(body_).wake);
+    bodies_->set_inputs(body_, {.force = engine_and_rudder(helm)});
+    bodies_->step(frame, passed_s);
+    bodies_->press(frame, passed_s);
+    thrown_.update(SurfaceQuery(frame), state(), bodies_->loads(body_), passed_s, workspace_,
+                   bodies_->inputs(body_).wake);
 }
 
 glm::dvec2 SteeredBoat::place_m() const {
-    const glm::dvec3 at = hull_->mesh_origin_m(state());
+    const glm::dvec3 at = hull_.mesh_origin_m(state());
     return {at.x, at.z};
 }
 
@@ -106,7 +95,7 @@ double SteeredBoat::speed_mps() const {
 }
 
 glm::dmat4 SteeredBoat::world_from_boat() const {
-    return glm::translate(glm::dmat4(1), hull_->mesh_origin_m(state())) * glm::mat4_cast(state().orientation);
+    return glm::translate(glm::dmat4(1), hull_.mesh_origin_m(state())) * glm::mat4_cast(state().orientation);
 }
 
 }  // namespace pelagic::viewer

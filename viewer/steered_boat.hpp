@@ -28,6 +28,8 @@ class SteeredBoat {
     /// \param place_m  position, x and z
     /// \param heading_rad  angle from +x towards +z
     SteeredBoat(const Frame& frame, glm::dvec2 place_m, double heading_rad);
+    SteeredBoat(const SteeredBoat&) = delete;  // its spray points to its hull
+    SteeredBoat& operator=(const SteeredBoat&) = delete;
 
     /// Puts the boat on other dynamic waves, which outlive the calls, without a wake yet.
     void float_on(DynamicWaves& waves);
@@ -46,12 +48,12 @@ class SteeredBoat {
     /// Returns the pose of gl::Boat.
     glm::dmat4 world_from_boat() const;
     const HullState& state() const { return bodies_->state(body_); }
-    const Hull& hull() const { return *hull_; }
+    const Hull& hull() const { return hull_; }
 
    private:
     HullForce engine_and_rudder(const Helm& helm) const;
 
-    std::shared_ptr<const Hull> hull_;
+    Hull hull_;
     std::unique_ptr<FloatingBodies> bodies_;
     std::uint32_t body_;
     HullSpray thrown_;

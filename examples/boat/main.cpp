@@ -3,6 +3,7 @@
 //
 //   boat [SECONDS] > motion.csv
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -11,8 +12,7 @@
 #include <vector>
 
 #include "pelagic/examples/boat/boat_mesh.hpp"
-#include "pelagic/floating/floating_hulls.hpp"
-#include "pelagic/floating/hull_wake.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/sim/ocean.hpp"
 
 namespace {
@@ -64,25 +64,22 @@ void sail(double seconds) {
     Ocean ocean(storm(), {.queries = true,
                           .velocities = true,
                           .dynamic_waves = DynamicWavesOptions{.resolution = 512, .side_m = 160, .border_m = 20}});
-    std::vector<FloatingHull> hulls;
-    std::vector<HullWake> wakes;
-    wakes.reserve(std::size(boats));
-    for (const Boat& boat : boats) {
-        const HullState state = boat.hull.at_rest(0, 20.0 * static_cast<double>(hulls.size()));
-        hulls.push_back({.hull = &boat.hull, .state = state});
-        hulls.back().inputs.wake = &wakes.emplace_back(ocean.dynamic_waves(), boat.hull, state);
-    }
-    FloatingHulls jobs(make_default_executor());
+    FloatingBodies bodies(make_default_executor(), &ocean.dynamic_waves());
+    std::vector<std::uint32_t> numbers;
+    for (const Boat& boat : boats)
+        numbers.push_back(bodies.add(boat.hull, boat.hull.at_rest(0, 20.0 * static_cast<double>(numbers.size()))));
     const int ticks = static_cast<int>(std::lround(seconds / tick_s));
     std::puts("time_s,boat,heave_m,pitch_deg,roll_deg");
     ocean.schedule(0);
     for (int i = 0; i < ticks; ++i) {
         const Frame& frame = ocean.complete();
-        for (std::size_t j = 0; j < hulls.size(); ++j) wakes[j].press(frame, hulls[j].state, hulls[j].loads, tick_s);
-        ocean.dynamic_waves().set_center(hulls[1].state.position_m.x, hulls[1].state.position_m.z);
+        bodies.press(frame, tick_s);
+        const glm::dvec3 yacht_m = bodies.state(numbers[1]).position_m;
+        ocean.dynamic_waves().set_center(yacht_m.x, yacht_m.z);
         ocean.schedule((i + 1) * tick_s);
-        jobs.step(SurfaceQuery(frame), hulls, tick_s);
-        for (std::size_t j = 0; j < hulls.size(); ++j) print((i + 1) * tick_s, boats[j], hulls[j].state);
+        bodies.step(frame, tick_s);
+        for (std::size_t j = 0; j < numbers.size(); ++j)
+            print((i + 1) * tick_s, boats[j], bodies.state(numbers[j]));
     }
 }
 

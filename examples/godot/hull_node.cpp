@@ -96,7 +96,7 @@ HullNode::~HullNode() {
     if (!waves_of_) return;
     waves_of_->remove(*this);
     try {
-        afloat_->bodies->clear();
+        afloat_->clear();
     } catch (const std::exception&) {  // no memory for the command: the pressure stays
     }
 }
@@ -128,7 +128,7 @@ void HullNode::press(const Frame& frame) {
         return;
     }
     try {
-        afloat_->bodies->press(frame, unpressed_s_);
+        afloat_->press(frame, unpressed_s_);
         unpressed_s_ = 0;
         pressed_at_s_ = frame.time_s;
     } catch (const std::exception& error) {
@@ -140,12 +140,12 @@ void HullNode::press(const Frame& frame) {
 void HullNode::leave_waves() {
     if (!waves_of_) return;
     std::exchange(waves_of_, nullptr)->remove(*this);
-    const Afloat left = std::move(*afloat_);
-    afloat_.reset();
+    const Afloat left = std::move(afloat_);
     try {
-        const HullState state = left.bodies->state(number);
-        left.bodies->clear();
-        afloat_ = afloat(left.hull, state);
+        const Hull& hull = left->hull(number);
+        const HullState state = left->state(number);
+        left->clear();
+        afloat_ = afloat(hull, state);
     } catch (const std::exception& error) {  // the next step launches the hull
         report_once(error);
     }
@@ -189,7 +189,7 @@ void HullNode::set_options(const HullOptions& options) {
 
 void HullNode::set_inputs(const HullInputs& inputs) {
     require(Hull::check(inputs));
-    if (afloat_) afloat_->bodies->set_inputs(number, inputs);
+    if (afloat_) afloat_->set_inputs(number, inputs);
     inputs_ = inputs;
 }
 
@@ -209,16 +209,15 @@ OceanNode& HullNode::needed_ocean() const {
         invalid_value_message("ocean", text.empty() ? "empty" : text, "the path of a PelagicOcean"));
 }
 
-std::shared_ptr<const Hull> HullNode::needed_hull() const {
+Hull HullNode::needed_hull() const {
     if (!hull_mesh_) throw std::invalid_argument(invalid_value_message("mesh", "null", "a closed Mesh"));
-    return std::make_shared<const Hull>(*hull_mesh_, options_);
+    return Hull(*hull_mesh_, options_);
 }
 
-HullNode::Afloat HullNode::afloat(std::shared_ptr<const Hull> hull, const HullState& state,
-                                  DynamicWaves* waves) const {
-    Afloat made{std::move(hull), std::make_unique<FloatingBodies>(make_serial_executor(), waves)};
-    made.bodies->add(made.hull, state);
-    made.bodies->set_inputs(number, inputs_);
+HullNode::Afloat HullNode::afloat(const Hull& hull, const HullState& state, DynamicWaves* waves) const {
+    Afloat made = std::make_unique<FloatingBodies>(make_serial_executor(), waves);
+    made->add(hull, state);
+    made->set_inputs(number, inputs_);
     return made;
 }
 
@@ -238,21 +237,21 @@ HullState HullNode::launched(const Hull& hull) const {
 }
 
 void HullNode::launch() {
-    std::shared_ptr<const Hull> hull = needed_hull();
-    const HullState state = launched(*hull);
+    const Hull hull = needed_hull();
+    const HullState state = launched(hull);
     leave_waves();
-    afloat_ = afloat(std::move(hull), state);
+    afloat_ = afloat(hull, state);
     is_stale_ = false;
     place();
 }
 
-HullNode::Afloat& HullNode::needed_afloat() {
+FloatingBodies& HullNode::needed_afloat() {
     if (!afloat_) launch();
     if (!is_stale_) return *afloat_;
-    std::shared_ptr<const Hull> hull = needed_hull();
-    const HullState state = state_of(*hull, *afloat_->hull, afloat_->bodies->state(number));
+    const Hull hull = needed_hull();
+    const HullState state = state_of(hull, afloat_->hull(number), afloat_->state(number));
     leave_waves();
-    afloat_ = afloat(std::move(hull), state);
+    afloat_ = afloat(hull, state);
     is_stale_ = false;
     return *afloat_;
 }
@@ -263,39 +262,38 @@ bool HullNode::step(double seconds) {
     if (!frame) throw std::invalid_argument("the ocean has invalid options, which it reported");
     if (!ocean.settings().velocities)
         throw std::invalid_argument("the ocean has no velocities: set velocities to true");
-    const SurfaceQuery water(*frame);
-    Hull::check_step(water, seconds);  // before a launch
+    Hull::check_step(SurfaceQuery(*frame), seconds);  // before a launch
     needed_afloat();
     OceanNode* const makes_wake_in = ocean_of_wake(&ocean);
     if (makes_wake_in != waves_of_) {
         leave_waves();
-        const Afloat& now = needed_afloat();
+        const FloatingBodies& now = needed_afloat();
         if (makes_wake_in)
-            use_waves_of(makes_wake_in, afloat(now.hull, now.bodies->state(number), ocean.dynamic_waves_or_null()));
+            use_waves_of(makes_wake_in, afloat(now.hull(number), now.state(number), ocean.dynamic_waves_or_null()));
     }
-    const bool is_all = needed_afloat().bodies->step(water, seconds);
+    const bool is_all = needed_afloat().step(*frame, seconds);
     if (waves_of_) unpressed_s_ += std::min(seconds, longest_step_s);
     place();
     return is_all;
 }
 
 void HullNode::place() {
-    const HullState& state = afloat_->bodies->state(number);
+    const HullState& state = afloat_->state(number);
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     Transform pose;
     for (int row = 0; row < 3; ++row) pose.basis.row[row] = floats({axes[0][row], axes[1][row], axes[2][row]});
-    pose.origin = floats(afloat_->hull->mesh_origin_m(state));
+    pose.origin = floats(afloat_->hull(number).mesh_origin_m(state));
     if (is_inside_tree.on<bool>(self_)) set_global_transform.on(self_, pose);
 }
 
 std::unique_ptr<Table> HullNode::info() {
-    const std::shared_ptr<const Hull> hull = needed_hull();
-    const HullAfloat& afloat = hull->afloat();
+    const Hull hull = needed_hull();
+    const HullAfloat& afloat = hull.afloat();
     auto answers = std::make_unique<Table>();
     answers->set("floats", Value(afloat.floats));
-    answers->set("mass_kg", Value(hull->mass_kg()));
-    answers->set("centre_of_mass_m", Value(floats(hull->centre_of_mass_m())));
-    answers->set("volume_m3", Value(hull->mesh().volume_m3()));
+    answers->set("mass_kg", Value(hull.mass_kg()));
+    answers->set("centre_of_mass_m", Value(floats(hull.centre_of_mass_m())));
+    answers->set("volume_m3", Value(hull.mesh().volume_m3()));
     answers->set("draught_m", Value(afloat.draught_m));
     answers->set("roll_gm_m", Value(afloat.roll_gm_m));
     answers->set("pitch_gm_m", Value(afloat.pitch_gm_m));
@@ -303,7 +301,7 @@ std::unique_ptr<Table> HullNode::info() {
 }
 
 std::unique_ptr<Table> HullNode::state() {
-    const FloatingBodies& bodies = *needed_afloat().bodies;
+    const FloatingBodies& bodies = needed_afloat();
     const HullState& state = bodies.state(number);
     const HullLoads& loads = bodies.loads(number);
     auto answers = std::make_unique<Table>();
@@ -318,7 +316,7 @@ std::unique_ptr<Table> HullNode::state() {
 }
 
 std::vector<std::uint8_t> HullNode::save_state() {
-    std::vector<std::uint8_t> saved = needed_afloat().bodies->save_state();
+    std::vector<std::uint8_t> saved = needed_afloat().save_state();
     if (!waves_of_) return saved;
     const std::size_t size = saved.size();
     saved.resize(size + sizeof unpressed_s_);
@@ -353,7 +351,7 @@ void HullNode::restore_state(std::span<const std::uint8_t> saved) {
     OceanNode* const ocean = ocean_of_wake(ocean_or_null());
     const double unpressed_s = ocean ? unpressed_in(saved) : 0;
     if (ocean && ocean == waves_of_) {  // the restored waves have its pressure
-        FloatingBodies& bodies = *afloat_->bodies;
+        FloatingBodies& bodies = *afloat_;
         const std::vector<std::uint8_t> before = bodies.save_state();
         try {
             read(bodies, saved);
@@ -364,9 +362,9 @@ void HullNode::restore_state(std::span<const std::uint8_t> saved) {
         pressed_at_s_.reset();
     } else {
         Afloat restored =
-            afloat(afloat_->hull, afloat_->bodies->state(number), ocean ? ocean->dynamic_waves_or_null() : nullptr);
-        restored.bodies->clear();  // the pressure that was added now
-        read(*restored.bodies, saved);
+            afloat(afloat_->hull(number), afloat_->state(number), ocean ? ocean->dynamic_waves_or_null() : nullptr);
+        restored->clear();  // the pressure that was added now
+        read(*restored, saved);
         leave_waves();
         if (ocean)
             use_waves_of(ocean, std::move(restored));
@@ -374,7 +372,7 @@ void HullNode::restore_state(std::span<const std::uint8_t> saved) {
             afloat_ = std::move(restored);
     }
     unpressed_s_ = unpressed_s;
-    inputs_ = afloat_->bodies->inputs(number);
+    inputs_ = afloat_->inputs(number);
     inputs_.wake = nullptr;
     place();
 }

@@ -87,20 +87,17 @@ class HullNode final : public WakeMaker {
 
    private:
     /// A hull in the water, the only body of a set.
-    struct Afloat {
-        std::shared_ptr<const Hull> hull;
-        std::unique_ptr<FloatingBodies> bodies;
-    };
+    using Afloat = std::unique_ptr<FloatingBodies>;
     static constexpr std::uint32_t number = 1;  ///< of the body
 
     OceanNode* ocean_or_null() const;
     OceanNode& needed_ocean() const;
-    std::shared_ptr<const Hull> needed_hull() const;
+    Hull needed_hull() const;
     /// \param waves  null for a hull without a wake
-    Afloat afloat(std::shared_ptr<const Hull> hull, const HullState& state, DynamicWaves* waves = nullptr) const;
+    Afloat afloat(const Hull& hull, const HullState& state, DynamicWaves* waves = nullptr) const;
     HullState launched(const Hull& hull) const;
     /// Launches the hull, or changes it to the mesh and options that were set.
-    Afloat& needed_afloat();
+    FloatingBodies& needed_afloat();
     /// Returns the ocean in whose waves the hull makes a wake, or null.
     OceanNode* ocean_of_wake(OceanNode* ocean) const;
     void use_waves_of(OceanNode* ocean, Afloat afloat);
@@ -120,7 +117,7 @@ class HullNode final : public WakeMaker {
     bool has_wake_ = true;
     bool is_playing_ = true;
     bool is_stale_ = false;  ///< afloat_ differs from the mesh and the options
-    std::optional<Afloat> afloat_;
+    Afloat afloat_;
     OceanNode* waves_of_ = nullptr;  ///< the ocean that calls press()
     double unpressed_s_ = 0;  ///< of steps since the last press()
     std::optional<double> pressed_at_s_;  ///< time of the frame of the last press()

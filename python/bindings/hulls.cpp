@@ -259,10 +259,10 @@ std::shared_ptr<BodiesHandle> make_bodies(py::handle ocean, bool wakes, int thre
 }
 
 std::uint32_t add_body(const BodiesHandle& of, py::handle hull, py::handle state) {
-    const HullPointer kind = needed<Hull>(hull, "hull", "a pelagic.Hull");
+    const auto kind = needed<Hull>(hull, "hull", "a pelagic.Hull");
     const HullState from = *needed<HullState>(state, "state", "a pelagic.HullState");
     std::uint32_t number = 0;
-    of.command([&](FloatingBodies& bodies) { number = bodies.add(kind, from); });
+    of.command([&](FloatingBodies& bodies) { number = bodies.add(*kind, from); });
     return number;
 }
 
@@ -308,7 +308,7 @@ bool step(const BodiesHandle& of, py::handle frame, py::handle step_s) {
     const double seconds = number_of(step_s, "step_s", false, "[0, inf) s");
     const auto reader = in->read();
     bool are_all = true;
-    of.use([&](FloatingBodies& bodies) { are_all = bodies.step(SurfaceQuery(in->frame), seconds); });
+    of.use([&](FloatingBodies& bodies) { are_all = bodies.step(in->frame, seconds); });
     return are_all;
 }
 

@@ -30,14 +30,15 @@ constexpr std::array hull_column_names = {"time", "x",  "y",  "z",  "heave",   "
 
 HullPlayer::HullPlayer(const HullLaunch& launch, Ocean& ocean, EventPlayer& waves, double first_s,
                        std::shared_ptr<Executor> executor)
-    : launch_(launch), ocean_(ocean), waves_(waves), hulls_(std::move(executor)), step_(first_step(first_s)) {
+    : launch_(launch),
+      ocean_(ocean),
+      waves_(waves),
+      bodies_(std::move(executor), &waves.waves()),
+      step_(first_step(first_s)) {
     waves_.follow_hull(launch_.x_m, launch_.z_m);
-    const HullState state =
-        launch_.hull->at_rest(SurfaceQuery(frame_at(step_)), launch_.x_m, launch_.z_m, launch_.heading_rad);
-    before_ = state;
-    wake_ = std::make_unique<HullWake>(waves_.waves(), *launch_.hull, state);
-    bodies_.push_back({.hull = launch_.hull.get(), .state = state});
-    bodies_[0].inputs.wake = wake_.get();
+    body_ = bodies_.add(*launch_.hull, launch_.hull->at_rest(SurfaceQuery(frame_at(step_)), launch_.x_m, launch_.z_m,
+                                                             launch_.heading_rad));
+    before_ = bodies_.state(body_);
 }
 
 double HullPlayer::begins_s(double first_s) { return time_of(first_step(first_s)); }
@@ -47,14 +48,14 @@ Frame HullPlayer::frame_at(std::int64_t step) {
 }
 
 void HullPlayer::step() {
-    FloatingHull& body = bodies_[0];
     const Frame frame = frame_at(step_);
     try {
-        wake_->press(frame, body.state, body.loads, hull_step_s);
-        waves_.follow_hull(body.state.position_m.x, body.state.position_m.z);
-        body.inputs.force.force_n = launch_.thrust_n * glm::mat3_cast(body.state.orientation)[0];
-        before_ = body.state;
-        hulls_.step(SurfaceQuery(frame), bodies_, hull_step_s);
+        bodies_.press(frame, hull_step_s);
+        before_ = bodies_.state(body_);
+        waves_.follow_hull(before_.position_m.x, before_.position_m.z);
+        bodies_.set_inputs(body_,
+                           {.force = {.force_n = launch_.thrust_n * glm::mat3_cast(before_.orientation)[0]}});
+        bodies_.step(frame, hull_step_s);
     } catch (const std::invalid_argument& error) {
         throw InputError(launch_.typed + ": the hull moves out of range: " + error.what());
     }
@@ -63,22 +64,22 @@ void HullPlayer::step() {
 
 HullMoment HullPlayer::at(double time_s) {
     while (time_of(step_) < time_s) step();
-    const FloatingHull& body = bodies_[0];
+    const HullState& now = bodies_.state(body_);
     // of the last step; 1 at its end
     const double along = std::clamp(1 - (time_of(step_) - time_s) / hull_step_s, 0.0, 1.0);
-    HullMoment moment{.state = body.state};
+    HullMoment moment{.state = now};
     HullState& state = moment.state;
-    state.position_m = glm::mix(before_.position_m, body.state.position_m, along);
-    state.velocity_mps = glm::mix(before_.velocity_mps, body.state.velocity_mps, along);
+    state.position_m = glm::mix(before_.position_m, now.position_m, along);
+    state.velocity_mps = glm::mix(before_.velocity_mps, now.velocity_mps, along);
     // a turn within a step is small, so the quaternions are near each other
-    state.orientation = glm::normalize(before_.orientation * (1 - along) + body.state.orientation * along);
+    state.orientation = glm::normalize(before_.orientation * (1 - along) + now.orientation * along);
 
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     moment.heave_m = state.position_m.y - launch_.hull->afloat().height_m - ocean_.water_frame().sea_level_m;
     moment.heading_rad = std::atan2(axes[0].z, axes[0].x);
     moment.pitch_rad = std::asin(std::clamp(axes[0].y, -1.0, 1.0));
     moment.roll_rad = std::atan2(-axes[2].y, axes[1].y);
-    const HullLoads& loads = body.loads;
+    const HullLoads& loads = bodies_.loads(body_);
     moment.draught_m = -1e9;
     for (const glm::dvec3& vertex : launch_.hull->mesh().vertices()) {
         const glm::dvec3 arm = axes * (vertex - launch_.hull->centre_of_mass_m());

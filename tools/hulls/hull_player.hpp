@@ -6,10 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "pelagic/floating/floating_hulls.hpp"
-#include "pelagic/floating/hull_wake.hpp"
+#include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/hulls/hull_options.hpp"
@@ -55,11 +53,10 @@ class HullPlayer {
     HullLaunch launch_;
     Ocean& ocean_;
     EventPlayer& waves_;
-    FloatingHulls hulls_;
-    std::vector<FloatingHull> bodies_;  ///< the hull
-    std::int64_t step_;                 ///< number of the state's step, counted from time 0
-    HullState before_;                  ///< a step earlier
-    std::unique_ptr<HullWake> wake_;
+    FloatingBodies bodies_;
+    std::uint32_t body_;
+    std::int64_t step_;  ///< number of the state's step, counted from time 0
+    HullState before_;   ///< a step earlier
 };
 
 /// Returns "time,x,y,z,...", the names of hull_row()'s values.
