@@ -21,10 +21,7 @@ namespace Pelagic.Unity
         /// <summary>The hull makes a wake if the ocean has dynamic waves. Takes effect when the component is enabled.</summary>
         public bool Wake = true;
 
-        private const double LongestPressS = 0.1;
-
         private OceanBehaviour pressed;
-        private HullState pressedState;
         private double unpressedS;
         private Hull hull;
         private Bodies bodies;
@@ -45,28 +42,11 @@ namespace Pelagic.Unity
             Place(State);
         }
 
-        /// <summary>Moves the wake's pressure along the steps since the last frame, which may last longer than a press.</summary>
+        /// <summary>Moves the wake's pressure along the steps since the last frame.</summary>
         private void Press()
         {
-            if (unpressedS == 0) return;
-            var state = bodies.State(number);
-            var parts = (int)System.Math.Ceiling(unpressedS / LongestPressS);
-            for (var part = 1; part <= parts; ++part)
-            {
-                if (parts > 1) bodies.SetState(number, part == parts ? state : Between(pressedState, state, (double)part / parts));
-                bodies.Press(unpressedS / parts);
-            }
-            pressedState = state;
+            bodies.Press(unpressedS);
             unpressedS = 0;
-        }
-
-        /// <summary>The state at a position between those of two states.</summary>
-        private static HullState Between(in HullState from, HullState to, double fraction)
-        {
-            to.PositionXM = from.PositionXM + fraction * (to.PositionXM - from.PositionXM);
-            to.PositionYM = from.PositionYM + fraction * (to.PositionYM - from.PositionYM);
-            to.PositionZM = from.PositionZM + fraction * (to.PositionZM - from.PositionZM);
-            return to;
         }
 
         private void OnDisable()
@@ -95,7 +75,6 @@ namespace Pelagic.Unity
             number = bodies.Add(hull, hull.AtRest(transform.position.x + cosine * info.CentreOfMassXM - sine * info.CentreOfMassZM,
                                                   -transform.position.z + sine * info.CentreOfMassXM + cosine * info.CentreOfMassZM, heading));
             water = Ocean.Ocean;
-            pressedState = bodies.State(number);
             unpressedS = 0;
             if (!hasWake) return;
             pressed = Ocean;
