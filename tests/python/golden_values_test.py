@@ -97,12 +97,12 @@ def test_planes_have_the_golden_hashes():
     for name in ("jonswap", "phillips-paper"):
         with pelagic.Ocean(pelagic.Sea(spectrum=name, resolution=64, patch_size_m=250, roughness=0.1)) as ocean:
             [cascade] = ocean.frame_at(12.34).cascades
-        planes = np.stack([cascade.dx, cascade.height, cascade.dz])
+            planes, halves = np.stack([cascade.dx, cascade.height, cascade.dz]), cascade.displacement[..., :3].copy()
         hash_ = 0xCBF29CE484222325  # FNV-1a of the bits
         for bits in planes.view(np.uint32).ravel().tolist():
             hash_ = (hash_ ^ bits) * 0x100000001B3 % 2**64
         assert hexadecimal(hash_) == golden_rows("displacement")[f"{name}-64@12.34"]
-        np.testing.assert_array_equal(cascade.displacement[..., :3], np.moveaxis(planes, 0, -1).astype(np.float16))
+        np.testing.assert_array_equal(halves, np.moveaxis(planes, 0, -1).astype(np.float16))
 
 
 def test_bodies():
