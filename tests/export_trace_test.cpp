@@ -115,8 +115,9 @@ TEST(ExportTrace, NumbersFramesOfFoamAndNamesTicks) {
 /// Returns how many frames an export computed.
 std::size_t frames_computed(const std::filesystem::path& trace) {
     const std::vector<json> events = checked_events(trace);
-    return static_cast<std::size_t>(std::count_if(
-        events.begin(), events.end(), [](const json& event) { return event["ph"] == "b" && event["name"] == "frame"; }));
+    return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [](const json& event) {
+        return event["ph"] == "b" && event["name"] == "frame";
+    }));
 }
 
 TEST(ExportTrace, MeshesAndFlipbooksOfAllFramesComputeEachFrameOnce) {

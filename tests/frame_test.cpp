@@ -204,11 +204,8 @@ class TwoWaves {
                                 ? wave.amplitude_m * std::cos(phase)
                                 : -wave.amplitude_m * (plane == &cascade.dx ? k_x : k_z) / k * std::sin(phase)));
                     }
-                *plane = {.data = texels.data(),
-                          .resolution = n,
-                          .block_columns = n,
-                          .row_stride = n,
-                          .block_stride = 0};
+                *plane = {
+                    .data = texels.data(), .resolution = n, .block_columns = n, .row_stride = n, .block_stride = 0};
             }
         }
         frame_.cascades = cascades_;
@@ -220,7 +217,8 @@ class TwoWaves {
         SurfaceSlopes sum;
         for (const Wave& wave : waves_) {
             const double phase = wave.k_x * x + wave.k_z * z, k = std::hypot(wave.k_x, wave.k_z);
-            const double tilt = -wave.amplitude_m * std::sin(phase), stretch = -wave.amplitude_m / k * std::cos(phase);
+            const double tilt = -wave.amplitude_m * std::sin(phase),
+                         stretch = -wave.amplitude_m / k * std::cos(phase);
             sum += {.h_x = wave.k_x * tilt,
                     .h_z = wave.k_z * tilt,
                     .d_xx = wave.k_x * wave.k_x * stretch,

@@ -12,7 +12,7 @@
 namespace pelagic::python {
 
 struct DrawnWater {
-    Displacement displacement;                   ///< of the cascades, dynamic waves and the shore
+    Displacement displacement;                    ///< of the cascades, dynamic waves and the shore
     std::array<float, 4> weights = {1, 1, 1, 1};  ///< weights of the cascades
 };
 

@@ -87,7 +87,8 @@ Displacement displacement_of(const Frame& frame, double x_m, double z_m) {
 Displacement velocity_of(const Cascade& cascade, double x_m, double z_m) {
     const DefaultFloatEnvironment environment;
     const SurfaceTexels texels = texels_of(cascade);
-    return between(texels, {texels.velocity_x, texels.velocity_y, texels.velocity_z}, place_in_texels(cascade, x_m, z_m));
+    return between(texels, {texels.velocity_x, texels.velocity_y, texels.velocity_z},
+                   place_in_texels(cascade, x_m, z_m));
 }
 
 Displacement velocity_of(const Frame& frame, double x_m, double z_m) {

@@ -80,7 +80,8 @@ std::vector<CountedBytes> read_counted_bytes(const std::string& option, const st
     const std::string text = InputFile(option, file, accepted).read_all(max_bytes);
     std::vector<CountedBytes> counts;
     try {
-        for (const auto& row : nlohmann::json::parse(text).at("bytes_a_texel"))
+        const auto json = nlohmann::json::parse(text);
+        for (const auto& row : json.at("bytes_a_texel"))
             counts.push_back({row.at("sea"), row.at("cache_bytes"),
                               row.at("read").get<double>() + row.at("for_writing").get<double>() +
                                   row.at("written").get<double>()});

@@ -88,16 +88,14 @@ std::vector<FileRecord> make_frames(const ExportOptions& options, const OutputFo
     Ocean ocean(forecast_of(options.sea), how);
     const std::unique_ptr<EventPlayer> player = event_player(options, how);
     // The outputs hold all frames in memory.
-    const std::size_t max_bytes =
-        outputs.empty() ? bytes_for_writing(ocean.memory_bytes()) : min_bytes_for_writing;
+    const std::size_t max_bytes = outputs.empty() ? bytes_for_writing(ocean.memory_bytes()) : min_bytes_for_writing;
     FrameWriter writer(options, folder, journal, records, trace.get(), max_bytes);
     std::size_t index = 0;
-    const bool all_made =
-        for_each_frame(options, ocean, player.get(), numbers, [&](int number, const Frame& frame) {
-            if (!records.contains(number)) writer.write(number, frame);
-            for (const auto& output : outputs) output->add(index, frame);
-            ++index;
-        });
+    const bool all_made = for_each_frame(options, ocean, player.get(), numbers, [&](int number, const Frame& frame) {
+        if (!records.contains(number)) writer.write(number, frame);
+        for (const auto& output : outputs) output->add(index, frame);
+        ++index;
+    });
     writer.finish();
     if (!all_made) throw stopped(options, records.size());
 

@@ -32,8 +32,6 @@ using Colour = std::array<std::uint8_t, 3>;
 class RgbaImage {
    public:
     RgbaImage(int width, int height, Colour background);
-    /// \param rgba  pixels, the upper row first
-    RgbaImage(int width, int height, std::vector<std::uint8_t> rgba);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -100,9 +98,6 @@ RgbaImage::RgbaImage(int width, int height, Colour background)
       pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255) {
     fill(0, 0, width, height, background);
 }
-
-RgbaImage::RgbaImage(int width, int height, std::vector<std::uint8_t> rgba)
-    : width_(width), height_(height), pixels_(std::move(rgba)) {}
 
 void RgbaImage::fill(int left, int top, int width, int height, Colour colour) {
     for (int y = std::max(top, 0); y < std::min(top + height, height_); ++y)

@@ -66,7 +66,8 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI:
     if (!positionals.empty()) text += "\n" + positionals;
     text += make_subcommands(app, mode);
     for (const char* const group : groups)
-        if (const auto options = options_under(*app, group); !options.empty()) text += make_group(group, false, options);
+        if (const auto options = options_under(*app, group); !options.empty())
+            text += make_group(group, false, options);
     const std::string footer = make_footer(app);
     return footer.empty() ? text : text + "\n" + footer;
 }

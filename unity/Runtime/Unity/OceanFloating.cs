@@ -45,6 +45,7 @@ namespace Pelagic.Unity
         /// <summary>Moves the wake's pressure along the steps since the last frame.</summary>
         private void Press()
         {
+            if (unpressedS == 0) return;  // as in the frames of a new ocean before the hull is launched in it
             bodies.Press(unpressedS);
             unpressedS = 0;
         }
