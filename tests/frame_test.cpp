@@ -268,7 +268,7 @@ TEST(CascadeSum, SlopesJacobianAndCompressionAreThoseOfTheWaves) {
 }
 
 TEST(CascadeSum, SlopesAndCompressionAreThoseOfTheTextures) {
-    const SeaState sea{.resolution = 32, .cascades = 3, .wind_speed_mps = 15};
+    const SeaState sea{.cascades = 3, .resolution = 32, .wind_speed_mps = 15};
     Ocean ocean(sea, {.executor = make_serial_executor(), .slopes = true, .foam = true});
     const Frame& frame = ocean.frame_at(4);
     for (const Cascade& cascade : frame.cascades) {

@@ -428,10 +428,10 @@ TEST_F(GlShore, ChangesNothingOutsideItsRectangle) {
     gl::Eye left = square.eye(20), right = left;
     right.viewport.x = pixels;
     const gl::Eye eyes[] = {left, right};
-    const DrawList& list = scene.selection.select({.viewer_m = {square.middle.x, 1, square.middle.y}});
+    const glm::dvec3 viewer(square.middle.x, 1, square.middle.y);
+    const DrawList& list = scene.selection.select({.viewer_m = viewer});
     scene.target->clear();
-    scene.renderer->draw(
-        {.eyes = eyes, .viewer_m = {square.middle.x, 1, square.middle.y}, .list = &list, .draws_sky = false});
+    scene.renderer->draw({.eyes = eyes, .viewer_m = viewer, .list = &list, .draws_sky = false});
     const std::vector<std::uint8_t> both = scene.target->read();
     int apart = 0;
     for (std::size_t row = 0; row < pixels; ++row)

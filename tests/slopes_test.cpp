@@ -89,8 +89,7 @@ CascadePlanes planes_of(const WaveCascade& cascade, double choppiness) {
     const double c = std::cos(cascade.angle_rad), s = std::sin(cascade.angle_rad);
     const double texel = cascade.side_m / cascade.resolution;
     CascadePlanes planes{
-        cascade.resolution,           cascade.side_m, static_cast<float>(c), static_cast<float>(s), {}, {}, {},
-        {.offset = 200, .scale = 255}};
+        cascade.resolution, cascade.side_m, static_cast<float>(c), static_cast<float>(s), {}, {}, {}};
     for (int j = 0; j < cascade.resolution; ++j) {
         for (int i = 0; i < cascade.resolution; ++i) {
             const double x = texel * (i * c - j * s), z = texel * (i * s + j * c);
