@@ -89,7 +89,7 @@ double significant_height_m(const AnalyticSea& sea) {
 }
 
 AnalyticSea with_significant_height(AnalyticSea sea, double height_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(height_m);
     const double by = height_m / significant_height_m(sea);
     for (AnalyticWave& wave : sea.waves) wave.amplitude_m *= by;
     return sea;
@@ -115,7 +115,7 @@ std::string check(const AnalyticSea& sea) {
 }
 
 AnalyticSea morphed(const AnalyticSea& from, const AnalyticSea& to, double u) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(u);
     require(check(from));
     require(check(to));
     const double within = std::clamp(u, 0.0, 1.0), s = within * within * (3 - 2 * within);

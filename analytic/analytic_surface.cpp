@@ -105,7 +105,7 @@ void AnalyticSurface::sample(double time_s, const AnalyticPoints& world, const A
 void AnalyticSurface::sample_points(bool in_world, double time_s, const AnalyticPoints& points,
                                     const AnalyticSamples& samples) const {
     need_finite_time(time_s);
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(time_s);
     std::array<double, max_analytic_waves> starts;
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(waves_.waves[i].phase_turns, waves_.waves[i].frequency_hz, time_s);

@@ -145,7 +145,7 @@ void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSa
     need_finite_time(time_s);
     if (!footprint_m.empty() && footprint_m.size() != points.x.size())
         throw std::invalid_argument("footprint_m differs in length from the points, expected as many or none");
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(time_s);
     std::array<double, max_analytic_waves> starts;
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(octaves_[i].phase_turns, octaves_[i].frequency_hz, time_s);
@@ -178,7 +178,7 @@ void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSa
 
 std::optional<PondHit> PondWaves::first_hit(double time_s, std::array<double, 3> origin_m,
                                             std::array<double, 3> direction, double reach_m) const {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(time_s, origin_m, direction, reach_m);
     const auto [dx, dy, dz] = direction;
     const double length = std::sqrt(dx * dx + dy * dy + dz * dz);
     if (!(length > 0 && std::isfinite(length)))

@@ -233,13 +233,13 @@ std::uint64_t Hull::digest() const {
 
 glm::dvec3 Hull::mesh_origin_m(const HullState& state) const {
     const DefaultFloatEnvironment environment;
-    return state.position_m - glm::mat3_cast(state.orientation) * centre_of_mass_m_;
+    return environment.result(state.position_m - glm::mat3_cast(state.orientation) * centre_of_mass_m_);
 }
 
 HullState Hull::at_rest(double x_m, double z_m, double heading_rad) const {
     if (!std::isfinite(heading_rad))
         throw std::invalid_argument(invalid_value_message("heading_rad", heading_rad, "a finite number"));
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m, heading_rad);
     HullState state;
     state.position_m = {x_m, afloat_.height_m, z_m};
     // from +x towards +z is a negative rotation about y
@@ -250,7 +250,7 @@ HullState Hull::at_rest(double x_m, double z_m, double heading_rad) const {
 }
 
 HullState Hull::at_rest(const SurfaceQuery& water, double x_m, double z_m, double heading_rad) const {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m, heading_rad);
     HullState state = at_rest(x_m, z_m, heading_rad);
     float height = 0, vx = 0, vy = 0, vz = 0;
     water.sample({{&x_m, 1}, {&z_m, 1}}, {.height_m = {&height, 1},

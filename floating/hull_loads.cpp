@@ -302,7 +302,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
 
 HullLoads Hull::loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
                       HullWorkspace& workspace) const {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(step_s);
     check_step(water, step_s);
     require(check(state));
     require(check(inputs));

@@ -58,7 +58,7 @@ HullSpray::HullSpray(const Hull& hull, const HullSprayOptions& options) : hull_(
 
 void HullSpray::update(const SurfaceQuery& water, const HullState& state, const HullLoads& loads, double step_s,
                        HullWorkspace& workspace, const HullWake* wake) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(step_s);
     Hull::check_step(water, step_s);
     step_s = Hull::Steps(step_s).each_s;  // of the loads
     require(Hull::check(state));

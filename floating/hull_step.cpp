@@ -95,7 +95,7 @@ Hull::Speeds Hull::speeds_after(const HullState& state, const HullLoads& loads, 
 }
 
 void Hull::accelerate(HullState& state, const HullLoads& loads, double step_s, const HullInputs& inputs) const {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(step_s);
     const Vector6 after = speeds_after(state, loads, step_s, inputs).after;
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     state.velocity_mps = axes * first_half(after);
@@ -122,7 +122,7 @@ bool Hull::step(const SurfaceQuery& water, HullState& state, double step_s, cons
 
 bool Hull::advance(const SurfaceQuery& water, std::span<const Moving> hulls, double step_s,
                    HullWorkspace& workspace) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(step_s);
     const Steps steps(step_s);
     // The frame does not show how the water moves in the parts of a step.
     if (steps.count > 1)

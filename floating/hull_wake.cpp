@@ -168,7 +168,7 @@ void HullWake::check_tick(double tick_s) {
 }
 
 void HullWake::press(const Frame& frame, const HullState& state, const HullLoads& loads, double tick_s) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(tick_s);
     check_tick(tick_s);
     if (tick_s == 0) return;
     tick_s = std::min(tick_s, longest_s);

@@ -22,6 +22,7 @@
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/golden.hpp"
+#include "pelagic/tests/quadtree_scene.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/test_paths.hpp"
 
@@ -390,8 +391,6 @@ TEST(Determinism, FramesDoNotDependOnTheCallersFloatingPointEnvironment) {
         EXPECT_EQ(hash, expected);
         EXPECT_EQ(sampled, expected_samples);
     }
-#endif
-#if defined(__x86_64__)  // compilers for Arm move the arithmetic of short functions over the change of mode
     // What else computes: plans, statistics and samples. The arguments are exact in every mode.
     const auto answers = [] {
         const SeaState storm{.resolution = 64, .patch_size_m = 400, .wind_speed_mps = 19};
@@ -430,6 +429,29 @@ TEST(Determinism, FramesDoNotDependOnTheCallersFloatingPointEnvironment) {
     EXPECT_EQ(hash, expected);
 #endif
 }
+
+#if !defined(__wasm__)  // WebAssembly has one rounding mode
+TEST(Determinism, PatchesDoNotDependOnTheCallersRoundingMode) {
+    // of each patch: its place, stitches and morph weights
+    const auto draws = [](int mode) {
+        std::vector<std::uint8_t> bytes;
+        Random random(5);
+        for (int i = 0; i < 60; ++i) {
+            const SelectionInput input = random_viewer(random, 2048, i);  // in the default mode
+            std::fesetround(mode);
+            Selection selection({.size_m = 2048, .vertices = 4, .lod_scale = 1.7});
+            const DrawList& list = selection.select(input);
+            std::fesetround(FE_TONEAREST);
+            const auto* first = reinterpret_cast<const std::uint8_t*>(list.instances.data());
+            bytes.insert(bytes.end(), first, first + list.instances.size() * sizeof list.instances[0]);
+        }
+        return bytes;
+    };
+    const std::vector<std::uint8_t> expected = draws(FE_TONEAREST);
+    EXPECT_GT(expected.size(), 10'000u);
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) EXPECT_TRUE(draws(mode) == expected) << mode;
+}
+#endif
 
 /// FNV-1a hash of the bits of all displacement planes, row by row.
 std::uint64_t hash_of_displacement(const Frame& frame) {

@@ -13,6 +13,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
 #include "pelagic/tests/hull_states.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -148,7 +149,7 @@ TEST(HullDeterminism, SprayIsBitIdenticalOnEachInstructionSetAndThreadCount) {
     EXPECT_EQ(expected, 17166556441588586046u) << "the same from every compiler; a change of physics changes it, too";
 }
 
-#if defined(__x86_64__)  // compilers for Arm move the arithmetic of short functions over the change of mode
+#if !defined(__wasm__)  // WebAssembly has one rounding mode
 // Mesh, hull, wake, spray, frames and steps, all in the caller's rounding mode.
 TEST(HullDeterminism, HullsDoNotDependOnTheCallersRoundingMode) {
     const HullMesh mesh = boat_mesh(6, 2.2, 1.2);  // in the default mode
@@ -177,6 +178,7 @@ TEST(HullDeterminism, HullsDoNotDependOnTheCallersRoundingMode) {
     const std::uint64_t expected = hash(make_serial_executor());
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
         for (const bool has_threads : {false, true}) {
+            if (is_emulated && has_threads) continue;  // a voyage takes 9 s under qemu
             std::fesetround(mode);
             const std::uint64_t found = hash(has_threads ? make_thread_executor(2) : make_serial_executor());
             EXPECT_EQ(std::fegetround(), mode);

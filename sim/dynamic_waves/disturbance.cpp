@@ -26,17 +26,17 @@ constexpr std::array disturbance_field_table = {
 }  // namespace
 
 double shape_at(const Disturbance& of, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     const double x = x_m - of.x_m, z = z_m - of.z_m;
     if (of.shape == Disturbance::Shape::gauss) {
         const double squared = (x * x + z * z) / (of.radius_m * of.radius_m);
-        return of.height_m * det::exp(-squared);
+        return environment.result(of.height_m * det::exp(-squared));
     }
     const auto heading = det::sine_cosine_of_turns(of.heading_rad / two_pi);
     const double along = (x * heading.cosine + z * heading.sine) / of.length_m;
     const double across = (z * heading.cosine - x * heading.sine) / of.radius_m;
     const double inside = 1 - along * along - across * across;
-    return inside > 0 ? of.height_m * std::sqrt(inside) : 0;
+    return environment.result(inside > 0 ? of.height_m * std::sqrt(inside) : 0);
 }
 
 std::span<const NumericField<Disturbance>> disturbance_fields() { return disturbance_field_table; }

@@ -293,7 +293,7 @@ void DynamicWaves::swap_buffers() { state_->slots.swap(); }
 void DynamicWaves::begin_frame(double time_s) {
     State& s = *state_;
     assert(!s.frame_in_flight);
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(time_s);
     const double rate = options().ticks_per_s;
     const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
     const std::int64_t tick = tick_at(time_s);

@@ -197,7 +197,7 @@ void DynamicWaveGrid::flatten_column(std::int64_t x) {
 
 void DynamicWaveGrid::set_center(double x_m, double z_m) {
     assert(std::fabs(x_m) <= farthest_position_m && std::fabs(z_m) <= farthest_position_m);
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     const std::array<std::int64_t, 2> moved = placement_.first_around(x_m, z_m);
     if (moved == placement_.first()) return;
     const std::int64_t side = options_.resolution;

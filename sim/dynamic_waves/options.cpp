@@ -88,11 +88,12 @@ double shown_part(const DynamicWavesOptions& options, std::int64_t from_edge) {
     if (options.border_m == 0) return 1;
     // The two outermost texels are flat, so that slopes are 0 at the grid's edge.
     const double texel_m = options.side_m / options.resolution;
-    return std::clamp(static_cast<double>(from_edge - 1) * texel_m / (0.5 * options.border_m), 0.0, 1.0);
+    return environment.result(
+        std::clamp(static_cast<double>(from_edge - 1) * texel_m / (0.5 * options.border_m), 0.0, 1.0));
 }
 
 DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     if (!view) return {};
     const double u = x_m / view.texel_m - static_cast<double>(view.first_x);
     const double v = z_m / view.texel_m - static_cast<double>(view.first_z);
@@ -105,7 +106,7 @@ DynamicWavesSample sample(const DynamicWavesView& view, double x_m, double z_m) 
     const DynamicWaveTexels texels(view);
     const DynamicWavesSample above = sample_between(texels.at(x, z), texels.at(x + 1, z), u - column);
     const DynamicWavesSample below = sample_between(texels.at(x, z + 1), texels.at(x + 1, z + 1), u - column);
-    return sample_between(above, below, v - row);
+    return environment.result(sample_between(above, below, v - row));
 }
 
 std::uint64_t hash_of(const DynamicWavesView& view) {

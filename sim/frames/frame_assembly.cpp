@@ -85,7 +85,7 @@ void FrameAssembly::swap_buffers() {
 }
 
 void FrameAssembly::begin_frame(double time_s, const WaterFrame& water, std::span<const TextureTargets> targets) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(time_s);
     slots_.write_textures_to(targets);
     Frame& frame = slots_.frame();
     const SeaMoment moment = weather_.moment_at(time_s);

@@ -82,7 +82,7 @@ std::string warning_about(const ShoreOptions& options, const SeaState& sea) {
 }
 
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     if (!shore) return {};
     const ShoreAt at(shore, x_m, z_m);
     if (!at.is_place()) return {};

@@ -122,9 +122,10 @@ std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach,
 WaveReach WaveReach::of(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     if (!is_stack(sea)) return {};
-    if (sea.waves == WaveModel::analytic) return {longest_wave_of(sea), end_of_waves(sea)};
+    if (sea.waves == WaveModel::analytic)
+        return environment.result(WaveReach{longest_wave_of(sea), end_of_waves(sea)});
     const WaveSpectrum spectrum = spectrum_of_stack(sea);
-    return {two_pi / peak_of(spectrum, sea).k, end_of_slopes(spectrum, sea)};
+    return environment.result(WaveReach{two_pi / peak_of(spectrum, sea).k, end_of_slopes(spectrum, sea)});
 }
 
 WaveReach& WaveReach::extend_to(const WaveReach& other) {
@@ -139,7 +140,7 @@ double CascadePlan::foam_weight() const {
     if (min_k >= two_pi || number > 2) return 0;
     const double longest_m = min_k > 0 ? two_pi / min_k : grid.side_m;
     const double shortest_m = band_texels_a_wave * grid.side_m / resolution;
-    return std::min(1.0, std::sqrt(std::sqrt(longest_m * shortest_m) / full_weight_m));
+    return environment.result(std::min(1.0, std::sqrt(std::sqrt(longest_m * shortest_m) / full_weight_m)));
 }
 
 std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach) {

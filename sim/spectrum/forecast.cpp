@@ -89,7 +89,7 @@ double SeaChange::end_s() const {
 }
 
 ForecastMoment Forecast::at(double time_s) const {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(time_s);
     const auto next = std::upper_bound(changes.begin(), changes.end(), time_s,
                                        [](double time, const SeaChange& change) { return time < change.from_s; });
     const auto number = static_cast<std::size_t>(next - changes.begin());
@@ -182,7 +182,7 @@ std::string warning_about(const Forecast& forecast) {
 }
 
 SeaState sea_between(const SeaState& before, const SeaState& after, double weight) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(weight);
     if (weight == 0) return before;
     if (weight == 1) return after;
     SeaState sea = weight < 0.5 ? before : after;

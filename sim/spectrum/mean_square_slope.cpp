@@ -10,8 +10,8 @@
 
 namespace pelagic {
 SlopeVariance measured_slopes(double wind_speed_mps) {
-    const DefaultFloatEnvironment environment;
-    return {0.00316 * wind_speed_mps, 0.003 + 0.00192 * wind_speed_mps};
+    const DefaultFloatEnvironment environment(wind_speed_mps);
+    return environment.result(SlopeVariance{0.00316 * wind_speed_mps, 0.003 + 0.00192 * wind_speed_mps});
 }
 
 void SlopeMoments::add_wave(double mean_square, double difference_x, double difference_z) {

@@ -430,13 +430,13 @@ SeaReport expected_report_on(const SeaState& sea) {
 }
 
 double period_in_loop_s(double period_s, double loop_period_s) {
-    const DefaultFloatEnvironment environment;
-    return loop_period_s / loop_harmonic(two_pi / period_s, loop_period_s);
+    const DefaultFloatEnvironment environment(period_s, loop_period_s);
+    return environment.result(loop_period_s / loop_harmonic(two_pi / period_s, loop_period_s));
 }
 
 double repeat_length_m(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    return plan_cascades(sea).front().grid.side_m;
+    return environment.result(double{plan_cascades(sea).front().grid.side_m});
 }
 
 WaveDirections directions_of_moment(double a, double b) {
@@ -488,7 +488,7 @@ double measured_significant_wave_height_m(const Frame& frame) {
         const double mean = sum / count;
         variance += std::max(0.0, squares / count - mean * mean);
     }
-    return 4 * std::sqrt(variance);
+    return environment.result(4 * std::sqrt(variance));
 }
 
 double measured_peak_period_s(const SeaState& sea) { return report_on(sea).drawn_peak_period_s; }

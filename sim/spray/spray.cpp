@@ -396,13 +396,13 @@ Spray::~Spray() = default;
 
 std::optional<double> Spray::missing_tick_s(double time_s) const {
     require_time(time_s);
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(time_s);
     const State& s = *state_;
     const std::int64_t last = s.tick_at(time_s), first = last - lifetime_ticks + 1;
     const bool has_first = s.first_tick <= first && s.last_tick >= first && s.last_tick <= last;
-    if (!has_first) return s.time_of(first);
+    if (!has_first) return environment.result(s.time_of(first));
     if (s.last_tick == last) return {};
-    return s.time_of(s.last_tick + 1);
+    return environment.result(s.time_of(s.last_tick + 1));
 }
 
 void Spray::add_tick(const Frame& frame, double center_x_m, double center_z_m) {
@@ -415,7 +415,7 @@ void Spray::add_tick(const Frame& frame, double center_x_m, double center_z_m) {
     require_time(frame.time_s);
     if (!frame.cascades.front().velocity_y.data)
         throw std::invalid_argument("spray needs frames of an ocean with velocities");
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(center_x_m, center_z_m);
     State& s = *state_;
     const std::int64_t tick = s.tick_at(frame.time_s);
     if (std::abs(frame.time_s - s.time_of(tick)) > max_rounding * s.tick_s)
@@ -442,7 +442,7 @@ void Spray::emit(std::span<const SprayEmitter> emitters) {
 
 std::span<const SprayDroplet> Spray::droplets_at(double time_s) {
     require_time(time_s);
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(time_s);
     State& s = *state_;
     s.shown_count = 0;
     s.show(s.emitted, time_s);

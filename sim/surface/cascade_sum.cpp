@@ -74,32 +74,32 @@ WeightedTexels texels_at(const Cascade& cascade, double columns, double rows) {
 }  // namespace
 
 Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     const SurfaceTexels texels = texels_of(cascade);
-    return between(texels, {texels.dx, texels.height, texels.dz}, place_in_texels(cascade, x_m, z_m));
+    return environment.result(between(texels, {texels.dx, texels.height, texels.dz}, place_in_texels(cascade, x_m, z_m)));
 }
 
 Displacement displacement_of(const Frame& frame, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
-    return summed(frame, [=](const Cascade& cascade) { return displacement_of(cascade, x_m, z_m); });
+    const DefaultFloatEnvironment environment(x_m, z_m);
+    return environment.result(summed(frame, [=](const Cascade& cascade) { return displacement_of(cascade, x_m, z_m); }));
 }
 
 Displacement velocity_of(const Cascade& cascade, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     const SurfaceTexels texels = texels_of(cascade);
-    return between(texels, {texels.velocity_x, texels.velocity_y, texels.velocity_z},
-                   place_in_texels(cascade, x_m, z_m));
+    return environment.result(between(texels, {texels.velocity_x, texels.velocity_y, texels.velocity_z},
+                                      place_in_texels(cascade, x_m, z_m)));
 }
 
 Displacement velocity_of(const Frame& frame, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
-    return summed(frame, [=](const Cascade& cascade) { return velocity_of(cascade, x_m, z_m); });
+    const DefaultFloatEnvironment environment(x_m, z_m);
+    return environment.result(summed(frame, [=](const Cascade& cascade) { return velocity_of(cascade, x_m, z_m); }));
 }
 
 // Interpolation commutes with differences of whole texels, so these are the interpolated slopes of
 // the texels.
 SurfaceSlopes slopes_of(const Cascade& cascade, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     const SurfaceTexels texels = texels_of(cascade);
     const TexelPlace at = place_in_texels(cascade, x_m, z_m);
     const auto derivative = [&](double along, double across) {
@@ -121,34 +121,34 @@ SurfaceSlopes slopes_of(const Cascade& cascade, double x_m, double z_m) {
     const double cosine = cascade.grid.cosine, sine = cascade.grid.sine;
     const auto along_x = [=](double of_u, double of_v) { return cosine * of_u - sine * of_v; };
     const auto along_z = [=](double of_u, double of_v) { return sine * of_u + cosine * of_v; };
-    return {.h_x = along_x(u.height, v.height),
-            .h_z = along_z(u.height, v.height),
-            .d_xx = along_x(u.dx, v.dx),
-            .d_zz = along_z(u.dz, v.dz),
-            .d_xz = 0.5 * (along_z(u.dx, v.dx) + along_x(u.dz, v.dz))};
+    return environment.result(SurfaceSlopes{.h_x = along_x(u.height, v.height),
+                                            .h_z = along_z(u.height, v.height),
+                                            .d_xx = along_x(u.dx, v.dx),
+                                            .d_zz = along_z(u.dz, v.dz),
+                                            .d_xz = 0.5 * (along_z(u.dx, v.dx) + along_x(u.dz, v.dz))});
 }
 
 SurfaceSlopes slopes_of(const Frame& frame, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     SurfaceSlopes sum;
     for (const Cascade& cascade : frame.cascades) sum += slopes_of(cascade, x_m, z_m);
-    return sum;
+    return environment.result(sum);
 }
 
 double jacobian_of(const Frame& frame, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
-    return normal_of(slopes_of(frame, x_m, z_m)).y;
+    const DefaultFloatEnvironment environment(x_m, z_m);
+    return environment.result(normal_of(slopes_of(frame, x_m, z_m)).y);
 }
 
 double compression_of(const Frame& frame, double x_m, double z_m) {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     double sum = 0;
     for (const Cascade& cascade : frame.cascades) {
         if (cascade.compression_scale == 0) continue;
         const SurfaceSlopes slopes = slopes_of(cascade, x_m, z_m);
         sum -= double{cascade.compression_scale} * (slopes.d_xx + slopes.d_zz);
     }
-    return sum;
+    return environment.result(sum);
 }
 
 FoamSampler::FoamSampler(const Frame& frame)
@@ -160,7 +160,7 @@ FoamSampler::FoamSampler(const Frame& frame)
 }
 
 float FoamSampler::at(double x_m, double z_m, std::span<const float> weights) const {
-    const DefaultFloatEnvironment environment;
+    const DefaultFloatEnvironment environment(x_m, z_m);
     std::array<WeightedTexels, max_cascades> drifted;
     std::array<const Cascade*, max_cascades> cascades;
     std::array<float, max_cascades> factors;
@@ -194,7 +194,7 @@ float FoamSampler::at(double x_m, double z_m, std::span<const float> weights) co
         }
         foam = std::max(foam, foam_.fresh(sum) - foam_.age[slots_[s]]);
     }
-    return foam;
+    return environment.result(foam);
 }
 
 }  // namespace pelagic
