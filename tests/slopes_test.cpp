@@ -17,7 +17,6 @@
 #include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
-#include "pelagic/sim/surface/surface_appearance.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/kernel_slopes.hpp"
@@ -496,41 +495,6 @@ TEST_P(SlopesOnEachIsa, StillWaterIsFlatAndSmooth) {
     EXPECT_EQ(up.x, 0);
     EXPECT_EQ(up.y, 1);
     EXPECT_EQ(up.z, 0);
-}
-
-/// Levels 0 to 3 of the gradient chain, and the half floats.
-struct Gradients {
-    std::vector<std::uint32_t> texels;
-    std::vector<std::uint16_t> halves;
-};
-Gradients gradients_by(const Kernels& kernels, const CascadePlanes& planes, bool with_halves) {
-    const int n = planes.resolution;
-    const AlignedBuffer<float> surface = surface_of(planes, kernels.lanes);
-    AlignedBuffer<std::uint32_t> texels(mip_offset(n, mip_levels(n)));
-    AlignedBuffer<std::uint16_t> halves(4 * planes.height.size());
-    MipAverages averages(n);
-    const double two_texels = 2 * planes.side_m / n;
-    GradientsJob job{.surface = surface.data(),
-                     .resolution = static_cast<std::size_t>(n),
-                     .first_row = 0,
-                     .first_column = 0,
-                     .block_stride = column_block_floats(n, kernels.lanes),
-                     .two_texels_m = static_cast<float>(two_texels),
-                     .jacobian_factor = static_cast<float>(1 / (two_texels * two_texels)),
-                     .normal_length = mean_normal_length(0.1f),
-                     .smoothness_bits = smoothness_bits(0.1f),
-                     .rgba16f = with_halves ? halves.data() : nullptr,
-                     .levels = {},
-                     .averages = averages.level(GradientsJob::block_levels),
-                     .average_stride = averages.stride(GradientsJob::block_levels),
-                     .cosine = planes.cosine,
-                     .sine = planes.sine};
-    for (int level = 0; level <= GradientsJob::block_levels; ++level)
-        job.levels[level] = texels.data() + mip_offset(n, level);
-    for (; job.first_row < static_cast<std::size_t>(n); job.first_row += GradientsJob::block_rows)
-        kernels.gradients(job);
-    return {{texels.data(), texels.data() + mip_offset(n, GradientsJob::block_levels + 1)},
-            {halves.data(), halves.data() + halves.size()}};
 }
 
 // The same water on a rotated cascade, with its displacement rotated: normals rotate, J and

@@ -76,12 +76,14 @@ WeightedTexels texels_at(const Cascade& cascade, double columns, double rows) {
 Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
     const DefaultFloatEnvironment environment(x_m, z_m);
     const SurfaceTexels texels = texels_of(cascade);
-    return environment.result(between(texels, {texels.dx, texels.height, texels.dz}, place_in_texels(cascade, x_m, z_m)));
+    return environment.result(
+        between(texels, {texels.dx, texels.height, texels.dz}, place_in_texels(cascade, x_m, z_m)));
 }
 
 Displacement displacement_of(const Frame& frame, double x_m, double z_m) {
     const DefaultFloatEnvironment environment(x_m, z_m);
-    return environment.result(summed(frame, [=](const Cascade& cascade) { return displacement_of(cascade, x_m, z_m); }));
+    return environment.result(
+        summed(frame, [=](const Cascade& cascade) { return displacement_of(cascade, x_m, z_m); }));
 }
 
 Displacement velocity_of(const Cascade& cascade, double x_m, double z_m) {
