@@ -112,25 +112,24 @@ TEST(GoldenValues, OfBodies) {
     const std::vector<HullMesh::Triangle> triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5},
                                                        {0, 4, 5}, {0, 5, 1}, {2, 3, 7}, {2, 7, 6},
                                                        {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
-    const auto hull = std::make_shared<const Hull>(
-        HullMesh(corners, triangles),
-        HullOptions{.mass_kg = 2500, .centre_of_mass_m = glm::dvec3(0, -0.125, 0), .roll_damping = 0.125});
-    const HullAfloat& afloat = hull->afloat();
+    const Hull hull(HullMesh(corners, triangles),
+                    {.mass_kg = 2500, .centre_of_mass_m = glm::dvec3(0, -0.125, 0), .roll_damping = 0.125});
+    const HullAfloat& afloat = hull.afloat();
     GoldenRows hulls("hull"), bodies("body"), forces("force");
-    hulls.row("box", {hull->mesh().volume_m3(), afloat.draught_m, afloat.height_m, afloat.waterplane_m2,
+    hulls.row("box", {hull.mesh().volume_m3(), afloat.draught_m, afloat.height_m, afloat.waterplane_m2,
                       afloat.roll_gm_m, afloat.pitch_gm_m});
     Ocean ocean(golden_sea, {.executor = make_serial_executor(),
                              .queries = true,
                              .velocities = true,
                              .dynamic_waves = DynamicWavesOptions{.resolution = 64, .side_m = 32, .border_m = 4}});
     FloatingBodies floating(make_serial_executor(), &ocean.dynamic_waves());
-    floating.add(hull, hull->at_rest(1, -2, 0.25));
-    floating.add(hull, hull->at_rest(-5, 4));
+    floating.add(hull, hull.at_rest(1, -2, 0.25));
+    floating.add(hull, hull.at_rest(-5, 4));
     floating.set_inputs(2, {.force = {.force_n = {900, 0, 0}}, .wind_mps = {0, 0, 5}});
     for (int tick = 0; tick < 40; ++tick) {
         const Frame& frame = ocean.frame_at(tick / 60.0);
         floating.press(frame, 1 / 60.0);
-        floating.step(SurfaceQuery(frame), 1 / 60.0);
+        floating.step(frame, 1 / 60.0);
     }
     for (const std::uint32_t number : {1u, 2u}) {
         const HullState& at = floating.state(number);
