@@ -81,11 +81,20 @@ double query_tolerance_m(const pelagic_ocean_options& options) {
     return wanted;
 }
 
+std::optional<bool> textures_of(const char* name, std::int32_t textures) {
+    switch (textures) {
+        case PELAGIC_TEXTURES_DEFAULT: return {};
+        case PELAGIC_TEXTURES_ON: return true;
+        case PELAGIC_TEXTURES_OFF: return false;
+        default: reject(invalid_value_message(name, textures, "0, 1 or 2"));
+    }
+}
+
 OceanOptions ocean_options_of(const pelagic_ocean_options& options) {
     OceanOptions result{.queries = options.queries != 0,
                         .velocities = options.velocities != 0,
-                        .gradients = options.gradients != 0,
-                        .slopes = options.slopes != 0,
+                        .gradients = textures_of("gradients", options.gradients),
+                        .slopes = textures_of("slopes", options.slopes),
                         .foam = options.foam != 0,
                         .planes = options.textures_only == 0};
     if (options.executor) result.executor = options.executor->executor;
@@ -187,7 +196,7 @@ pelagic_cascade c_cascade_of(const Cascade& cascade) {
 /// Makes a frame the one that queries, cascade, copy and hash read.
 void show(pelagic_ocean& ocean, const Frame& frame) {
     ocean.shown = &frame;
-    if (ocean.has_queries) ocean.query_frames.show(SurfaceQuery(frame, ocean.query_tolerance_m));
+    if (ocean.ocean.contents().queries) ocean.query_frames.show(SurfaceQuery(frame, ocean.query_tolerance_m));
 }
 
 FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
@@ -313,7 +322,7 @@ pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
         need_finite(time_s);
         Ocean& sea = ocean->ocean;
         const ApplicationTargets to(targets, "targets", sea.cascade_count());
-        if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
+        if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), sea.contents());
             !reason.empty())
             reject("targets: " + reason);
         ocean->query_frames.wait_for_old_readers();
@@ -367,7 +376,7 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         need_finite(time_s);
         Ocean& sea = ocean->ocean;
         const ApplicationBuffers to(buffers, "buffers", sea.cascade_count());
-        if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
+        if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), sea.contents());
             !reason.empty())
             reject(reason);
         ocean->query_frames.wait_for_old_readers();

@@ -60,13 +60,7 @@ class QueryFrames {
 
 struct pelagic_ocean {
     pelagic_ocean(const pelagic::Forecast& forecast, pelagic::OceanOptions options, double tolerance_m)
-        : ocean(forecast, options),
-          has_queries(options.queries),
-          contents{.velocities = options.velocities,
-                   .gradients = options.gradients || ocean.cascade_count() == 1,
-                   .slopes = options.slopes || options.foam || ocean.cascade_count() > 1,
-                   .planes = options.planes},
-          query_tolerance_m(tolerance_m) {
+        : ocean(forecast, options), query_tolerance_m(tolerance_m) {
         if (options.dynamic_waves) dynamic_waves = {nullptr, &ocean.dynamic_waves(), this};
     }
 
@@ -74,8 +68,6 @@ struct pelagic_ocean {
     pelagic_dynamic_waves dynamic_waves;
     /// Objects that use the ocean hold it weakly, and so detect that it is destroyed.
     std::shared_ptr<pelagic_ocean> alive{this, [](pelagic_ocean*) {}};
-    bool has_queries;
-    pelagic::FrameContents contents;  ///< of all frames
     double query_tolerance_m;
     bool frame_in_flight = false;
     bool sea_in_flight = false;

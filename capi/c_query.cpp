@@ -9,7 +9,7 @@
 namespace pelagic::capi {
 
 const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader) {
-    if (!ocean.has_queries)
+    if (!ocean.ocean.contents().queries)
         reject("the ocean cannot be queried: it was created without pelagic_ocean_options.queries");
     if (!reader.query()) throw WrongOrder("there is no frame yet; call pelagic_ocean_complete first");
     return *reader.query();

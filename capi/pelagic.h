@@ -359,6 +359,9 @@ typedef void* (*pelagic_allocate)(void* user, size_t bytes, size_t alignment);
  * Threads: called on the thread that destroys an ocean, or schedules or completes another sea. */
 typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t alignment);
 
+/* Textures that each cascade has or not. DEFAULT depends on the sea and the other options. */
+enum { PELAGIC_TEXTURES_DEFAULT = 0, PELAGIC_TEXTURES_ON = 1, PELAGIC_TEXTURES_OFF = 2 };
+
 typedef struct pelagic_ocean_options {
     uint32_t struct_size;
     /* Nonzero enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a
@@ -379,9 +382,11 @@ typedef struct pelagic_ocean_options {
     pelagic_allocate allocate;
     pelagic_release release;
     void* memory_user; /* passed to both; must outlive the ocean */
-    /* Nonzero: every cascade has slopes and moments, see pelagic_cascade. */
+    /* Slopes and moments of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has
+     * 2 or more cascades, with foam, and without gradients. Foam needs them. */
     int32_t slopes;
-    /* Nonzero: every cascade has gradients, see pelagic_cascade. */
+    /* Gradients of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has 1
+     * cascade, and without slopes. Slopes and gradients cannot both be off. */
     int32_t gradients;
     /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
      * a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
@@ -575,7 +580,7 @@ typedef struct pelagic_cascade {
     pelagic_plane velocity_x, velocity_y, velocity_z;
     const uint16_t* displacement_rgba16f;
     const uint32_t* gradient_rgba8;
-    /* NULL in a frame of one cascade, unless pelagic_ocean_options.slopes or foam is set. */
+    /* NULL without pelagic_ocean_options.slopes. */
     const uint32_t *slopes_rgba8, *moments_rgba8;
     float slope_range, variance_range;
     int32_t levels;            /* number of levels of each chain that is not NULL */

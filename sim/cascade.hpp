@@ -111,20 +111,18 @@ struct Cascade {
     /// unless OceanOptions::velocities is set.
     PlaneView velocity_x, velocity_y, velocity_z;
     /// Fold map: where the surface may intersect itself, for queries (buffers/fold_map.hpp). Empty
-    /// unless OceanOptions::queries is set and the frame has one cascade.
+    /// without OceanOptions::queries, and if the sea has more cascades than one.
     std::span<const std::uint8_t> folds;
-    ContractionBound contraction;  ///< replaces `folds` in a frame of several cascades
+    ContractionBound contraction;  ///< replaces `folds` in a stack of cascades
     /// resolution^2 texels of four IEEE half floats in tight rows: Dx, height, Dz, 0.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// A chain of mip_levels() levels with one texel in a word: normal x, normal z, Jacobian,
     /// smoothness from the lowest byte up (VR Ocean, equations 50 and 51). Level m starts at
     /// mip_offset(resolution, m). These are normals of this cascade alone; the normal of a sum is
-    /// not the sum of normals. Empty in a frame of several cascades unless OceanOptions::gradients
-    /// is set.
+    /// not the sum of normals. Empty without OceanOptions::gradients.
     std::span<const std::uint32_t> gradient_rgba8;
     /// Two such chains, of slopes, which add over cascades, and of their moments within a texel.
-    /// slope_sum.hpp defines the bytes and the normal. Empty in a frame of one cascade unless
-    /// OceanOptions::slopes or foam is set.
+    /// slope_sum.hpp defines the bytes and the normal. Empty without OceanOptions::slopes.
     std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
     SlopeRanges slope_ranges;
     /// Compression as bytes (snapshot_foam.hpp): resolution^2 bytes now, in tight rows, and four

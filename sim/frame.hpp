@@ -68,11 +68,10 @@ struct Frame {
 /// Returns the XXH3 of the frame's outputs. Two frames with equal hashes are bit-identical.
 ///
 /// The hash covers these outputs of each cascade, in this order and little-endian: the rows of dx,
-/// height and dz; the half floats; the gradient chain; the bounds. For several cascades
-/// the two chains of slopes replace the gradient chain. It leaves out time and water frame, and the
-/// velocities, fold maps and chains that only OceanOptions enables, so an ocean with more outputs
+/// height and dz; the half floats; the chains that OceanOptions enables by default without foam; the
+/// bounds. It leaves out time and water frame, and all other outputs, so an ocean with more outputs
 /// has equal hashes. It also leaves out textures in the application's memory (texture_targets.hpp),
-/// and planes that the frame does not have (OceanOptions::planes).
+/// and planes and textures that the frame does not have.
 std::uint64_t hash_of(const Frame& frame);
 
 /// Returns the XXH3 of the cascades' foam, which OceanOptions::foam enables: of each cascade the

@@ -23,15 +23,19 @@ struct FrameBuffers {
     std::span<std::uint32_t> slopes_rgba8 = {}, moments_rgba8 = {};
 };
 
-/// Optional contents of frames.
+/// Optional contents of each cascade of a frame, as OceanOptions defines them.
 struct FrameContents {
-    bool velocities = false, gradients = true, slopes = false;
-    bool planes = true;  ///< dx, height and dz
+    bool queries = false;     ///< fold map or contraction bounds
+    bool velocities = false;  ///< velocity_x, velocity_y and velocity_z
+    bool gradients = true;    ///< gradient_rgba8
+    bool slopes = false;      ///< slopes_rgba8 and moments_rgba8
+    bool foam = false;        ///< compression_r8 and snapshots_rgba8
+    bool planes = true;       ///< dx, height and dz
 };
 
 /// Returns an empty string if the arrays fit frames of `cascade_count` cascades of this resolution,
-/// else the first problem: "height has 100 elements, expected 4096", "velocity_x is wanted,
-/// expected an ocean with velocities", "there are buffers of 2 cascades, expected 3".
+/// else the first problem: "height has 100 elements, expected 4096", "velocity_x is
+/// requested, but the ocean was created without velocities", "there are buffers of 2 cascades, expected 3".
 std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents);
 

@@ -43,12 +43,13 @@ struct OceanOptions {
     bool queries = false;
     /// Adds velocities to frames; 12 N^2 bytes a frame and about twice as many transforms.
     bool velocities = false;
-    /// Adds each cascade's own normals to frames of several cascades; a single cascade has them
-    /// always.
-    bool gradients = false;
-    /// Adds slopes (slope_sum.hpp) to a frame of one cascade; frames of several, and frames with
-    /// foam, have them always.
-    bool slopes = false;
+    /// Whether each cascade has its own normals (Cascade::gradient_rgba8). None: those of a sea
+    /// with `cascades` 1 have them, and those of an ocean whose slopes are off.
+    std::optional<bool> gradients = {};
+    /// Whether each cascade has slopes (slope_sum.hpp), which add over cascades. None: all have
+    /// them but those of a sea with `cascades` 1 that has gradients and no foam. Foam needs
+    /// slopes, and one of both maps must be on.
+    std::optional<bool> slopes = {};
     /// Enables foam: foam of breaking waves drifts and fades over 2.8 seconds (foam/snapshots.hpp).
     /// 49 N^2 bytes a cascade.
     ///
@@ -85,8 +86,8 @@ struct OceanOptions {
 class Ocean {
    public:
     /// Computes the spectrum of a sea.
-    /// \throws std::invalid_argument  check(sea), unless it is empty, if an option needs planes that
-    ///                                are off, or what choose_isa() throws
+    /// \throws std::invalid_argument  check(sea), unless it is empty, if an option needs planes or
+    ///                                slopes that are off, if gradients and slopes are off, or what choose_isa() throws
     /// \throws std::bad_alloc         if memory is exhausted
     /// \throws                        what executors throw
     explicit Ocean(const SeaState& sea, OceanOptions options = {});
@@ -194,6 +195,7 @@ class Ocean {
     /// As above.
     const DynamicWaves& dynamic_waves() const;
 
+    const FrameContents& contents() const;  ///< of every frame
     std::size_t cascade_count() const;  ///< of every frame
     int resolution() const;             ///< texels along a side of each cascade
     const SeaState& sea() const;        ///< last sea of the forecast; Frame::sea is that of a frame

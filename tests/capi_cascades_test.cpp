@@ -169,6 +169,24 @@ TEST_F(CInterfaceCascades, OptionsSelectTheDataOfACascade) {
     }
 }
 
+TEST_F(CInterfaceCascades, TexturesCanBeOff) {
+    pelagic_ocean_options options = serial_options(serial);
+    options.gradients = PELAGIC_TEXTURES_OFF;
+    const COcean ocean = ocean_of(small_sea(32), options);
+    const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), complete(ocean, 1));
+    EXPECT_EQ(cascades[0].gradient_rgba8, nullptr);
+    EXPECT_NE(cascades[0].slopes_rgba8, nullptr);
+    const auto expect_message = [&](const std::string& message) {
+        pelagic_ocean* made = nullptr;
+        const pelagic_sea sea = small_sea(32);
+        expect_rejected(pelagic_ocean_create(&sea, &options, &made), message);
+    };
+    options.slopes = PELAGIC_TEXTURES_OFF;
+    expect_message("gradients and slopes are off, expected one of them on");
+    options.slopes = 3;
+    expect_message("slopes is 3, expected 0, 1 or 2");
+}
+
 TEST_F(CInterfaceCascades, AnInvalidCascadeIndexIsNamed) {
     const COcean one = ocean_of(small_sea(), serial.get()), two = ocean_of(stack_sea(2), serial.get());
     complete(one, 0), complete(two, 0);

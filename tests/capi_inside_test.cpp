@@ -61,8 +61,8 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
 
         Ocean ocean({.cascades = 4, .resolution = 32}, {.executor = make_serial_executor(),
                                                         .velocities = has_all,
-                                                        .gradients = has_all,
-                                                        .slopes = has_all,
+                                                        .gradients = has_all ? std::optional(true) : std::nullopt,
+                                                        .slopes = has_all ? std::optional(true) : std::nullopt,
                                                         .foam = has_all});
         const Frame& frame = ocean.frame_at(7);
         std::uint64_t hash = 0;

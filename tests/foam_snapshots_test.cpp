@@ -106,7 +106,7 @@ TEST_P(FoamSnapshotsOnEachIsa, ResolveTheFoamOfKnownWaves) {
     const TickClock clock(200);
     const std::size_t lanes = kernels().lanes;
     FrameSlots slots(2, HandSea::n, lanes, {.slopes = true, .foam = true});
-    FoamSnapshots snapshots(slots, kernels(), {});
+    FoamSnapshots snapshots(slots, kernels());
     JobGraph graph;
     const StageId filled = graph.add({.name = "filled", .count = 1, .body = [](std::size_t, std::size_t) {}});
     snapshots.add_tick_stages(graph, std::array{filled, filled});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -322,6 +323,57 @@ TEST(CascadeSum, EqualsTexelsInterpolatesBilinearlyAndRepeats) {
                 EXPECT_NEAR(centre.dz, mean(frame.cascades[0].dz), 1e-9);
             }
     }
+}
+
+TEST(FrameContents, MapsHaveDefaultsByTheNumberOfCascadesAndCanBeOnOrOff) {
+    const std::optional<bool> none, on = true, off = false;
+    const auto are_equal = [](auto a, auto b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
+    struct Row {
+        int cascades;
+        std::optional<bool> gradients, slopes;
+        bool foam, has_gradients, has_slopes;
+    };
+    for (const Row& row : {Row{1, none, none, false, true, false},
+                           {1, none, none, true, true, true},
+                           {1, none, on, false, true, true},
+                           {1, off, none, false, false, true},
+                           {1, none, off, false, true, false},
+                           {2, none, none, false, false, true},
+                           {2, none, none, true, false, true},
+                           {2, on, none, false, true, true},
+                           {2, none, off, false, true, false},
+                           {2, on, off, false, true, false}}) {
+        const SeaState sea{.cascades = row.cascades, .resolution = 64};
+        Ocean reference(sea,
+                        {.executor = make_serial_executor(), .gradients = true, .slopes = true, .foam = row.foam});
+        const Frame& expected = reference.frame_at(3);
+        for (const bool planes : {true, false}) {
+            SCOPED_TRACE(std::to_string(row.cascades) + " cascades, " + testing::PrintToString(row.gradients) + ", " +
+                         testing::PrintToString(row.slopes));
+            Ocean ocean(sea, {.executor = make_serial_executor(),
+                              .gradients = row.gradients,
+                              .slopes = row.slopes,
+                              .foam = row.foam,
+                              .planes = planes});
+            EXPECT_EQ(ocean.contents().gradients, row.has_gradients);
+            EXPECT_EQ(ocean.contents().slopes, row.has_slopes);
+            const Frame& frame = ocean.frame_at(3);
+            for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+                const Cascade &cascade = frame.cascades[i], &all = expected.cascades[i];
+                EXPECT_TRUE(are_equal(cascade.displacement_rgba16f, all.displacement_rgba16f));
+                EXPECT_TRUE(row.has_gradients ? are_equal(cascade.gradient_rgba8, all.gradient_rgba8)
+                                              : cascade.gradient_rgba8.empty());
+                EXPECT_TRUE(row.has_slopes ? are_equal(cascade.slopes_rgba8, all.slopes_rgba8)
+                                           : cascade.slopes_rgba8.empty());
+            }
+        }
+    }
+    const auto refusal = [](const OceanOptions& options) {
+        return message_of([&] { Ocean({.resolution = 16}, options); });
+    };
+    EXPECT_EQ(refusal({.gradients = false, .slopes = false}),
+              "gradients and slopes are off, expected one of them on");
+    EXPECT_EQ(refusal({.slopes = false, .foam = true}), "foam cannot be combined with an ocean without slopes");
 }
 
 TEST(MipChain, OffsetsAreARunningSumOfTexels) {

@@ -599,9 +599,8 @@ TEST(SlopesOfFrames, AreOptionalForOneCascadeAndChangeNoHash) {
 TEST(SlopesOfFrames, ProduceTheHalvesAndTheHashOfSeveralCascades) {
     std::mt19937 random(12);
     const Kernels& kernels = kernels_for(choose_isa());
-    const FrameExtras extras{.gradients = false, .slopes = true};
-    FrameSlots slots(2, 32, kernels.lanes, extras);
-    SurfaceStages first(slots, 0, kernels, extras), second(slots, 1, kernels, extras);
+    FrameSlots slots(2, 32, kernels.lanes, {.gradients = false, .slopes = true});
+    SurfaceStages first(slots, 0, kernels), second(slots, 1, kernels);
     JobGraph graph;
     const StageId surface_done = graph.add({.name = "surface", .count = 1, .body = [](std::size_t, std::size_t) {}});
     first.add_to(graph, surface_done);

@@ -25,9 +25,10 @@ FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
     return std::make_shared<FrameHandle>(FrameHandle{ocean, made.number, made.frame});
 }
 
-OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, bool gradients, bool slopes,
-                        int threads, const std::optional<std::string>& isa, double largest_peak_m,
-                        py::handle dynamic_waves, py::handle shore, py::handle inputs, bool planes) {
+OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, std::optional<bool> gradients,
+                        std::optional<bool> slopes, int threads, const std::optional<std::string>& isa,
+                        double largest_peak_m, py::handle dynamic_waves, py::handle shore, py::handle inputs,
+                        bool planes) {
     const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = largest_peak_m};
     require(check(forecast.first));
     OceanOptions options{.queries = queries,
@@ -117,7 +118,7 @@ OceanClass add_ocean_class(py::module_& module) {
     };
     OceanClass ocean(module, "Ocean", doc_of("Ocean"));
     ocean.def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
-              py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false,
+              py::arg("foam") = false, py::arg("gradients") = py::none(), py::arg("slopes") = py::none(),
               py::arg("threads") = 0, py::arg("isa") = py::none(), py::arg("largest_peak_m") = 0.0,
               py::arg("dynamic_waves") = py::none(), py::arg("shore") = py::none(), py::arg("inputs") = py::tuple(),
               py::arg("planes") = true, doc_of("Ocean.__init__"));

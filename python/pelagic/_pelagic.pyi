@@ -96,14 +96,13 @@ class Cascade:
     @property
     def gradient(self) -> NDArray[np.uint8]:
         """(N, N, 4), a view: normal x, normal z, Jacobian, smoothness, of this cascade alone.
-        Requires cascades=1 or Ocean(gradients=True)."""
+        Requires Ocean(gradients=...)."""
     def gradient_level(self, level: int) -> NDArray[np.uint8]:
         """Mip level `level` of gradient, 0 to levels - 1."""
     @property
     def slopes(self) -> NDArray[np.uint8]:
         """(N, N, 4), a view: h_x, h_z, D_xx, D_zz, each (byte - 128)/127 of slope_range. They add
-        to those of other cascades. Requires a frame of several cascades, or Ocean(slopes=True) or
-        foam=True."""
+        to those of other cascades. Requires Ocean(slopes=...)."""
     def slopes_level(self, level: int) -> NDArray[np.uint8]:
         """Mip level `level` of slopes, 0 to levels - 1."""
     @property
@@ -389,8 +388,8 @@ class Ocean:
         queries: bool = True,
         velocities: bool = False,
         foam: bool = False,
-        gradients: bool = False,
-        slopes: bool = False,
+        gradients: Optional[bool] = None,
+        slopes: Optional[bool] = None,
         threads: int = 0,
         isa: Optional[str] = None,
         largest_peak_m: float = 0.0,
@@ -404,8 +403,9 @@ class Ocean:
         queries     allow query() and rays() on frames
         velocities  compute velocities; about twice the work
         foam        compute foam, which depends on the last 2.8 seconds
-        gradients   normals of each cascade; always there with cascades=1
-        slopes      slopes of each cascade; always there with 2 or more cascades
+        gradients   normals of each cascade; None: with cascades=1, and without slopes
+        slopes      slopes of each cascade; None: with 2 or more cascades, with foam, and without
+                    gradients. Foam needs slopes. Slopes and gradients cannot both be False
         threads     maximum threads of a frame, including the calling thread; 0: one per core
         isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest.
                     Results are bit-identical

@@ -53,16 +53,17 @@ Cascade views_of(const CascadeBuffers& buffers, int n, std::size_t lanes) {
 
 }  // namespace
 
-CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, const FrameExtras& extras)
-    : surface(extras.planes ? surface_floats(n, lanes) : 0, extras.memory),
-      velocity(extras.velocities ? surface_floats(n, lanes) : 0, extras.memory),
-      rgba16f(4 * static_cast<std::size_t>(n) * n, extras.memory),
-      rgba8(extras.gradients ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
-      slopes(extras.slopes ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
-      moments(slopes.size(), extras.memory),
-      compression(extras.foam ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0, extras.memory) {
-    if (extras.folds && cascades == 1) folds.emplace(n, extras.memory);
-    if (extras.folds && cascades > 1) contraction.emplace(n, extras.memory);
+CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, const FrameContents& contents,
+                               const Allocator& memory)
+    : surface(contents.planes ? surface_floats(n, lanes) : 0, memory),
+      velocity(contents.velocities ? surface_floats(n, lanes) : 0, memory),
+      rgba16f(4 * static_cast<std::size_t>(n) * n, memory),
+      rgba8(contents.gradients ? mip_offset(n, mip_levels(n)) : 0, memory),
+      slopes(contents.slopes ? mip_offset(n, mip_levels(n)) : 0, memory),
+      moments(slopes.size(), memory),
+      compression(contents.foam ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0, memory) {
+    if (contents.queries && cascades == 1) folds.emplace(n, memory);
+    if (contents.queries && cascades > 1) contraction.emplace(n, memory);
 }
 
 std::size_t CascadeBuffers::bytes() const {
@@ -71,20 +72,22 @@ std::size_t CascadeBuffers::bytes() const {
            (contraction ? contraction->bytes() : 0);
 }
 
-FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras) {
+FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameContents& contents,
+                       const Allocator& memory)
+    : contents_(contents), memory_(memory) {
     for (Slot& slot : slots_) {
         slot.buffers.reserve(cascades);  // views point into the elements
         for (std::size_t i = 0; i < cascades; ++i) {
-            CascadeBuffers& buffers = slot.buffers.emplace_back(cascades, resolution, lanes, extras);
+            CascadeBuffers& buffers = slot.buffers.emplace_back(cascades, resolution, lanes, contents, memory);
             slot.cascades.push_back(views_of(buffers, resolution, lanes));
             slot.own_textures.push_back(textures_in(buffers, resolution));
         }
         slot.textures = slot.own_textures;
         slot.elsewhere.resize(cascades);
         slot.frame.cascades = slot.cascades;
-        slot.frame.has_foam = extras.foam;
+        slot.frame.has_foam = contents.foam;
     }
-    if (!extras.planes) working_.emplace(cascades, surface_floats(resolution, lanes), extras.memory);
+    if (!contents.planes) working_.emplace(cascades, surface_floats(resolution, lanes), memory);
 }
 
 void FrameSlots::write_textures_to(std::span<const TextureTargets> cascades) {

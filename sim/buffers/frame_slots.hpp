@@ -18,46 +18,41 @@
 
 namespace pelagic {
 
-/// Optional contents of frames, and the memory for them.
-struct FrameExtras {
-    bool folds = false;
-    bool velocities = false;
-    bool gradients = true;  ///< normals of each cascade
-    bool slopes = false;    ///< slopes, which can be added over the cascades
-    bool foam = false;      ///< snapshots of compression
-    bool planes = true;     ///< displacement as floats
-    Allocator memory = {};  ///< for all buffers whose size grows with N^2
-};
-
 /// The buffers of one cascade of one frame.
 struct CascadeBuffers {
     /// \param cascades  number of cascades of the frame
     /// \param lanes  Kernels::lanes of the instruction set that computes the frame
-    CascadeBuffers(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras);
+    CascadeBuffers(std::size_t cascades, int resolution, std::size_t lanes, const FrameContents& contents,
+                   const Allocator& memory);
     std::size_t bytes() const;
 
-    /// Lines, later the surface (kernels/wave_blocks.hpp), if FrameExtras::planes.
+    /// Lines, later the surface (kernels/wave_blocks.hpp), if FrameContents::planes.
     AlignedBuffer<float> surface;
-    /// Time derivative of `surface`, if FrameExtras::velocities.
+    /// Time derivative of `surface`, if FrameContents::velocities.
     AlignedBuffer<float> velocity;
-    std::optional<FoldMap> folds;               ///< if FrameExtras::folds and one cascade
-    std::optional<ContractionMap> contraction;  ///< if FrameExtras::folds and several cascades
+    std::optional<FoldMap> folds;               ///< if FrameContents::queries and one cascade
+    std::optional<ContractionMap> contraction;  ///< if FrameContents::queries and several cascades
     AlignedBuffer<std::uint16_t> rgba16f;
-    AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameExtras::gradients
-    AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameExtras::slopes
-    AlignedBuffer<std::uint8_t> compression;       ///< N^2, if FrameExtras::foam
+    AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameContents::gradients
+    AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameContents::slopes
+    AlignedBuffer<std::uint8_t> compression;       ///< N^2, if FrameContents::foam
 };
 
 /// Two slots of frame buffers. Stages write to the back slot, which they look up when they run.
 class FrameSlots {
    public:
     /// \param cascades  number of cascades, of resolution^2 texels each
-    FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras);
+    /// \param memory  for all buffers whose size grows with N^2
+    FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameContents& contents,
+               const Allocator& memory = {});
     FrameSlots(const FrameSlots&) = delete;  // frames hold pointers into the slots
     FrameSlots& operator=(const FrameSlots&) = delete;
 
     std::size_t cascade_count() const { return slots_.back().cascades.size(); }
     int resolution() const { return slots_.back().cascades.front().resolution(); }
+
+    const FrameContents& contents() const { return contents_; }
+    const Allocator& memory() const { return memory_; }
 
     CascadeBuffers& buffers(std::size_t cascade) { return slots_.back().buffers[cascade]; }
     /// Returns where a cascade's lines and surface are computed: its planes, or a working buffer,
@@ -100,6 +95,8 @@ class FrameSlots {
     };
     std::size_t last_level() const { return static_cast<std::size_t>(mip_levels(resolution()) - 1); }
 
+    FrameContents contents_;
+    Allocator memory_;
     DoubleBuffer<Slot> slots_;
     std::optional<WorkingSurfaces> working_;  ///< without planes
 };

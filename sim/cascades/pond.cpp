@@ -49,12 +49,11 @@ double start_of(const GridOctave& octave, LoopFraction fraction) {
 
 }  // namespace
 
-Pond::Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& extras)
+Pond::Pond(FrameSlots& slots, std::size_t cascade, Isa isa)
     : slots_(slots),
       cascade_(cascade),
       lanes_(kernels_for(isa).lanes),
       kernels_(analytic_kernels_for(isa)),
-      has_velocities_(extras.velocities),
       resolution_(slots.resolution()),
       row_bounds_(static_cast<std::size_t>(resolution_)) {
     for (int i = 0; i < resolution_; ++i) columns_.push_back(i);
@@ -87,7 +86,7 @@ void Pond::fill_row(Pass pass, std::size_t row) {
     const auto component = [&](float* planes, SurfaceComponent of) {
         return planes + (row * surface_components + of) * lanes_;
     };
-    const bool with_velocities = has_velocities_ && pass == Pass::frame;
+    const bool with_velocities = slots_.contents().velocities && pass == Pass::frame;
     const std::size_t n = static_cast<std::size_t>(resolution_), count = std::min(n, chunk_texels);
     std::array<double, chunk_texels> z;
     std::array<float, chunk_texels> footprint;

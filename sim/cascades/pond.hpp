@@ -23,7 +23,7 @@ namespace pelagic {
 class Pond final : public SeaSource {
    public:
     /// \param cascade  index of the cascade in the slots that the source fills
-    Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& extras);
+    Pond(FrameSlots& slots, std::size_t cascade, Isa isa);
     Pond(const Pond&) = delete;  // stages point into it
     Pond& operator=(const Pond&) = delete;
 
@@ -61,7 +61,6 @@ class Pond final : public SeaSource {
     FrameSlots& slots_;
     std::size_t cascade_, lanes_;
     const AnalyticKernels& kernels_;
-    bool has_velocities_;
     int resolution_;
     std::vector<double> columns_;  ///< 0, 1, ..., N - 1
 

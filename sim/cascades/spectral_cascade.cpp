@@ -23,18 +23,15 @@ constexpr std::size_t spectrum_batch = 2;
 
 }  // namespace
 
-SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels,
-                                 const FrameExtras& extras)
+SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels)
     : slots_(slots),
       cascade_(cascade),
       kernels_(kernels),
-      memory_(extras.memory),
-      has_velocities_(extras.velocities),
       resolution_(slots.resolution()),
       plan_(resolution_),
       fft_(plan_.tables()),
       plane_bounds_(column_block_pairs(resolution_, kernels_.lanes)),
-      velocity_bounds_(has_velocities_ ? plane_bounds_.size() : 0) {}
+      velocity_bounds_(slots_.contents().velocities ? plane_bounds_.size() : 0) {}
 
 void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = stage_name("spectrum", cascade_),
@@ -69,7 +66,8 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
                        columns_finalize(pass, pair, slots_.surface(cascade_), plane_bounds_[pair]);
                    }),
                    .stack_bytes = transforms});
-    return {surface_done, has_velocities_ && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
+    return {surface_done,
+            slots_.contents().velocities && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
 }
 
 // The time derivative of a sum of waves is a sum of waves, and uses the transforms of the surface.
@@ -114,7 +112,8 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     shown.band_weights.clear();
     cascade.slope_ranges = before.slope_ranges;
     if (!moment.is_steady()) {
-        if (shown.blended.size() == 0) shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), memory_);
+        if (shown.blended.size() == 0)
+            shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), slots_.memory());
         shown.choppiness =
             static_cast<float>((1 - moment.weight) * before.choppiness + moment.weight * after.choppiness);
         LineStatistics statistics = between(before.statistics, after.statistics, moment.weight);
@@ -146,7 +145,7 @@ void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& pla
                        plan,
                        std::make_unique<std::once_flag>(),
                        {},
-                       PackedSpectrum(plan_, kernels_.lanes, memory_),
+                       PackedSpectrum(plan_, kernels_.lanes, slots_.memory()),
                        std::vector<LineStatistics>(line_count(resolution_)),
                        std::vector<StatisticsByBand>(line_count(resolution_))});
 }

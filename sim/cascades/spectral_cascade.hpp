@@ -29,7 +29,7 @@ namespace pelagic {
 class SpectralCascade final : public SeaSource, public ColumnSource {
    public:
     /// \param cascade  index of the cascade in the slots that the source fills
-    SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras);
+    SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels);
     SpectralCascade(const SpectralCascade&) = delete;  // stages point into it
     SpectralCascade& operator=(const SpectralCascade&) = delete;
 
@@ -61,8 +61,6 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
     FrameSlots& slots_;
     std::size_t cascade_;
     const Kernels& kernels_;
-    Allocator memory_;
-    bool has_velocities_;
     int resolution_;
     FftPlan plan_;
     FftTables fft_;

@@ -45,8 +45,8 @@ std::string name_of_input(std::size_t number) { return "inputs[" + std::to_strin
 
 }  // namespace
 
-WaveInputs::WaveInputs(List inputs, FrameSlots& slots, Isa isa, bool has_velocities)
-    : slots_(slots), kernels_(kernels_for(isa)), inputs_(std::move(inputs)), has_velocities_(has_velocities) {
+WaveInputs::WaveInputs(List inputs, FrameSlots& slots, Isa isa)
+    : slots_(slots), kernels_(kernels_for(isa)), inputs_(std::move(inputs)) {
     for (std::size_t i = 0; i < inputs_.size(); ++i)
         if (!inputs_[i]) throw std::invalid_argument(name_of_input(i) + " is null, expected an input");
     for (const Pass pass : {Pass::tick, Pass::frame}) {
@@ -112,7 +112,7 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
     if (adds_[pass][cascade] == 0) return;
     const std::size_t n = static_cast<std::size_t>(slots_.resolution()), row_count = rows_a_job();
     const std::size_t first_row = job * row_count, texels = row_count * n;
-    const bool with_velocities = has_velocities_ && pass == Pass::frame;
+    const bool with_velocities = slots_.contents().velocities && pass == Pass::frame;
     CascadeBuffers& buffers = slots_.buffers(cascade);
     Rows surface, velocity;
     PlaneBounds bounds{};

@@ -20,7 +20,7 @@ class WaveInputs final : public FramePart {
     using List = std::vector<std::shared_ptr<WaveInput>>;
 
     /// \throws std::invalid_argument if an input is null
-    WaveInputs(List inputs, FrameSlots& slots, Isa isa, bool has_velocities);
+    WaveInputs(List inputs, FrameSlots& slots, Isa isa);
 
     FilledBy add_cascade_stages(JobGraph& graph, Pass pass, std::size_t cascade, FilledBy filled) override;
     /// \throws std::invalid_argument if an input's largest_slope is out of range
@@ -41,7 +41,6 @@ class WaveInputs final : public FramePart {
     FrameSlots& slots_;
     const Kernels& kernels_;
     List inputs_;
-    bool has_velocities_;
     OfEachPass<InputMoment> moments_;
     OfEachPass<std::vector<CascadeGrid>> grids_;
     OfEachPass<std::vector<std::uint8_t>> adds_;  ///< by cascade; 1: an input adds to it

@@ -67,14 +67,15 @@ PresentCompression bytes_of_compression(float compression_scale) {
     return {.factor = -compression_scale / SnapshotFoam::step, .offset = -SnapshotFoam::lowest / SnapshotFoam::step};
 }
 
-FoamSnapshots::FoamSnapshots(FrameSlots& slots, const Kernels& kernels, const Allocator& memory)
+FoamSnapshots::FoamSnapshots(FrameSlots& slots, const Kernels& kernels)
     : slots_(slots), kernels_(kernels), cascades_(slots.cascade_count()) {
     const int n = slots.resolution();
     for (CascadeSnapshots& cascade : cascades_) {
-        cascade.compression = AlignedBuffer<float>(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), memory);
+        cascade.compression =
+            AlignedBuffer<float>(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), slots.memory());
         for (Image& image : cascade.images)
             for (AlignedBuffer<std::uint32_t>& chain : image.chains)
-                chain = AlignedBuffer<std::uint32_t>(mip_offset(n, mip_levels(n)), memory);
+                chain = AlignedBuffer<std::uint32_t>(mip_offset(n, mip_levels(n)), slots.memory());
     }
 }
 

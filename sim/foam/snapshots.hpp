@@ -26,7 +26,7 @@ namespace pelagic {
 
 class FoamSnapshots {
    public:
-    FoamSnapshots(FrameSlots& slots, const Kernels& kernels, const Allocator& memory);
+    FoamSnapshots(FrameSlots& slots, const Kernels& kernels);
     FoamSnapshots(const FoamSnapshots&) = delete;  // stages point into it
     FoamSnapshots& operator=(const FoamSnapshots&) = delete;
 

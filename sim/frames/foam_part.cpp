@@ -8,9 +8,8 @@
 
 namespace pelagic {
 
-FoamPart::FoamPart(FrameSlots& slots, const Weather& weather, const Kernels& kernels, bool repeats,
-                   const Allocator& memory)
-    : slots_(slots), weather_(weather), repeats_(repeats), snapshots_(slots, kernels, memory) {}
+FoamPart::FoamPart(FrameSlots& slots, const Weather& weather, const Kernels& kernels, bool repeats)
+    : slots_(slots), weather_(weather), repeats_(repeats), snapshots_(slots, kernels) {}
 
 void FoamPart::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) {
     if (pass == Pass::frame) return;

@@ -17,8 +17,7 @@ namespace pelagic {
 class FoamPart final : public FramePart {
    public:
     /// \param repeats  whether the waves of a constant sea repeat with its loop: not with wave inputs
-    FoamPart(FrameSlots& slots, const Weather& weather, const Kernels& kernels, bool repeats,
-             const Allocator& memory);
+    FoamPart(FrameSlots& slots, const Weather& weather, const Kernels& kernels, bool repeats);
 
     void add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) override;
     void begin(const PassMoment& at) override;

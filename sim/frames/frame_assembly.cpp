@@ -12,25 +12,18 @@ namespace {
 
 std::size_t cascade_count_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
-/// Adds what frames always have: gradients of one cascade, slopes of several. The stage that
-/// computes slopes also computes the compression of foam.
-FrameExtras completed(FrameExtras extras, std::size_t cascades) {
-    extras.gradients |= cascades == 1;
-    extras.slopes |= cascades > 1 || extras.foam;
-    return extras;
-}
-
 }  // namespace
 
-FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted)
+FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameContents& contents,
+                             const Allocator& memory)
     : isa_(isa),
       weather_(forecast),
-      extras_(completed(wanted, cascade_count_of(forecast.first))),
-      slots_(cascade_count_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
+      slots_(cascade_count_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, contents,
+             memory),
       at_tick_(slots_.cascade_count()) {
     for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade) {
         sources_.push_back(source_of(forecast.first.waves, cascade));
-        surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, cascade, kernels_for(isa), extras_));
+        surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, cascade, kernels_for(isa)));
     }
 }
 
@@ -168,13 +161,13 @@ std::size_t FrameAssembly::bytes() const {
 }
 
 std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t cascade) {
-    if (waves == WaveModel::pond) return std::make_unique<Pond>(slots_, cascade, isa_, extras_);
-    return std::make_unique<SpectralCascade>(slots_, cascade, kernels_for(isa_), extras_);
+    if (waves == WaveModel::pond) return std::make_unique<Pond>(slots_, cascade, isa_);
+    return std::make_unique<SpectralCascade>(slots_, cascade, kernels_for(isa_));
 }
 
 /// Returns whether one stage of a frame computes a cascade's columns and textures.
 bool FrameAssembly::has_bands(std::size_t cascade) const {
-    return !extras_.planes && sources_[cascade]->columns() && TextureBands::are_worthwhile(slots_.resolution());
+    return !contents().planes && sources_[cascade]->columns() && TextureBands::are_worthwhile(slots_.resolution());
 }
 
 /// Returns Cascade::compression_scale at a moment.

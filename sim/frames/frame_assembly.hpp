@@ -22,7 +22,7 @@ namespace pelagic {
 class FrameAssembly {
    public:
     /// \pre check(forecast) is empty
-    FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted);
+    FrameAssembly(const Forecast& forecast, Isa isa, const FrameContents& contents, const Allocator& memory);
 
     /// Adds a part, before the stages.
     void add(std::unique_ptr<FramePart> part);
@@ -53,9 +53,7 @@ class FrameAssembly {
     const Weather& weather() const { return weather_; }
     Weather::Sources sources() const { return sources_; }
     FrameSlots& slots() { return slots_; }
-    FrameContents contents() const {
-        return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.planes};
-    }
+    const FrameContents& contents() const { return slots_.contents(); }
     std::size_t cascade_count() const { return slots_.cascade_count(); }
     int resolution() const { return slots_.resolution(); }
     std::size_t texels() const;
@@ -72,7 +70,6 @@ class FrameAssembly {
 
     Isa isa_;
     Weather weather_;
-    FrameExtras extras_;
     FrameSlots slots_;
     std::vector<std::unique_ptr<SeaSource>> sources_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;

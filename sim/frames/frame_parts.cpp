@@ -23,9 +23,26 @@ std::string check_parts(const Forecast& forecast, const OceanOptions& options) {
                                  {"inputs", !options.inputs.empty()}})
         if (option.is_on && !options.planes)
             return std::string(option.name) + " cannot be combined with an ocean without planes";
+    if (const FrameContents contents = contents_of(options, forecast.first); !contents.slopes) {
+        if (contents.foam) return "foam cannot be combined with an ocean without slopes";
+        if (!contents.gradients) return "gradients and slopes are off, expected one of them on";
+    }
     if (!options.shore) return {};
     if (std::string reason = check(*options.shore, forecast.first); !reason.empty()) return reason;
     return forecast.changes.empty() ? std::string() : "a forecast with changes cannot be combined with a shore";
+}
+
+// Displacement as half floats is computed together with one of the maps, so a frame has gradients or
+// slopes. The compression of foam is computed together with slopes.
+FrameContents contents_of(const OceanOptions& options, const SeaState& sea) {
+    const bool is_stack = cascades_of(sea) > 1;
+    const bool gradients = options.gradients.value_or(!is_stack || !options.slopes.value_or(true));
+    return {.queries = options.queries,
+            .velocities = options.velocities,
+            .gradients = gradients,
+            .slopes = options.slopes.value_or(is_stack || options.foam || !gradients),
+            .foam = options.foam,
+            .planes = options.planes};
 }
 
 // Dynamic waves come first, so that their ticks start before the frame's stages.
@@ -45,11 +62,9 @@ DynamicWaves* add_parts(FrameAssembly& frames, const Forecast& forecast, const O
     if (options.shore)
         frames.add(std::make_unique<ShoreSource>(*options.shore, forecast.first, plan_cascades(forecast), kernels,
                                                  *executor, options.memory));
-    if (!options.inputs.empty())
-        frames.add(std::make_unique<WaveInputs>(options.inputs, slots, isa, options.velocities));
+    if (!options.inputs.empty()) frames.add(std::make_unique<WaveInputs>(options.inputs, slots, isa));
     if (options.foam)
-        frames.add(std::make_unique<FoamPart>(slots, frames.weather(), kernels, options.inputs.empty(),
-                                              options.memory));
+        frames.add(std::make_unique<FoamPart>(slots, frames.weather(), kernels, options.inputs.empty()));
     return dynamic_waves;
 }
 

@@ -14,6 +14,9 @@ namespace pelagic {
 /// \pre check(forecast) is empty
 std::string check_parts(const Forecast& forecast, const OceanOptions& options);
 
+/// Returns what frames of a sea contain, with defaults for options that are not set.
+FrameContents contents_of(const OceanOptions& options, const SeaState& sea);
+
 /// Adds the parts to the frames of a forecast. Returns the dynamic waves, which the frames own; null without them.
 /// Throws std::invalid_argument if an option of a part is out of range, and what executors throw.
 /// \pre check_parts() is empty

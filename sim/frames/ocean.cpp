@@ -27,14 +27,7 @@ struct Ocean::State {
     State(const Forecast& forecast, OceanOptions options)
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
-          frames(forecast, isa,
-                 {.folds = options.queries,
-                  .velocities = options.velocities,
-                  .gradients = options.gradients,
-                  .slopes = options.slopes,
-                  .foam = options.foam,
-                  .planes = options.planes,
-                  .memory = options.memory}),
+          frames(forecast, isa, contents_of(options, forecast.first), options.memory),
           dynamic_waves(add_parts(frames, forecast, options, executor, isa)),
           baker(frames.weather(), frames.sources(), executor, options.trace) {
         const bool is_small = frames.texels() <= max_texels_without_jobs;
@@ -148,8 +141,7 @@ Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
 Ocean::~Ocean() = default;
 
 void Ocean::schedule(double time_s, std::span<const TextureTargets> cascades) {
-    require(cascades.empty() ? std::string()
-                             : check(cascades, cascade_count(), resolution(), state_->frames.contents()));
+    require(cascades.empty() ? std::string() : check(cascades, cascade_count(), resolution(), contents()));
     state_->begin_frame(time_s, cascades, true);
 }
 
@@ -183,7 +175,7 @@ const Frame& Ocean::frame_at(double time_s) {
 FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> cascades) {
     const Frame* const completed = state_->completed;
     const double now_s = state_->now_s;
-    require(check(cascades, cascade_count(), resolution(), state_->frames.contents()));
+    require(check(cascades, cascade_count(), resolution(), contents()));
     state_->begin_frame(time_s, {}, false);
     state_->now_s = now_s;
     const Frame& frame = complete();
@@ -248,6 +240,7 @@ const WaterFrame& Ocean::water_frame() const { return state_->water_frame; }
 DynamicWaves& Ocean::dynamic_waves() { return state_->needed_dynamic_waves(); }
 const DynamicWaves& Ocean::dynamic_waves() const { return state_->needed_dynamic_waves(); }
 
+const FrameContents& Ocean::contents() const { return state_->frames.contents(); }
 std::size_t Ocean::cascade_count() const { return state_->frames.cascade_count(); }
 int Ocean::resolution() const { return state_->frames.resolution(); }
 const SeaState& Ocean::sea() const { return state_->frames.weather().forecast().last(); }

@@ -29,11 +29,10 @@ Pieces pieces_of(int resolution) {
 
 }  // namespace
 
-SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels,
-                             const FrameExtras& extras)
+SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels)
     : slots_(slots), cascade_(cascade), kernels_(kernels), resolution_(slots.resolution()) {
-    if (extras.gradients) gradient_averages_.emplace(resolution_, extras.memory);
-    if (extras.slopes) slope_averages_.emplace(resolution_, extras.memory, slope_planes);
+    if (slots.contents().gradients) gradient_averages_.emplace(resolution_, slots.memory());
+    if (slots.contents().slopes) slope_averages_.emplace(resolution_, slots.memory(), slope_planes);
 }
 
 void SurfaceStages::add_to(JobGraph& graph, StageId surface_done) {

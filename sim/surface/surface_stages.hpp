@@ -17,7 +17,7 @@ namespace pelagic {
 /// The texture stages of one cascade.
 class SurfaceStages {
    public:
-    SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras);
+    SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels);
     SurfaceStages(const SurfaceStages&) = delete;  // stages hold pointers to the object
     SurfaceStages& operator=(const SurfaceStages&) = delete;
 

@@ -206,8 +206,9 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     options.queries = queries % 4;
     const auto parts = bytes.take<std::uint8_t>();
     options.velocities = parts % 2;
-    options.slopes = parts / 2 % 2;
-    options.gradients = parts / 4 % 2;
+    const int set = parts / 16 == 7 ? PELAGIC_TEXTURES_OFF : PELAGIC_TEXTURES_ON;
+    options.slopes = parts / 2 % 2 * set;
+    options.gradients = parts / 4 % 2 * set;
     options.foam = parts / 8 % 2;
     options.query_tolerance_m = bytes.take<std::uint8_t>() == 255 ? bytes.number() : 0;
     const char* const isas[] = {nullptr, nullptr, nullptr, "sse4.2", "avx2", "", "neon"};

@@ -37,7 +37,7 @@ OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<C
             .isa = options.compute.isa,
             .trace = trace,
             .velocities = options.maps.has(MapKind::velocity),
-            .gradients = options.maps.has(MapKind::gradient),
+            .gradients = options.maps.has(MapKind::gradient) ? std::optional(true) : std::nullopt,
             .foam = options.has_foam()};
 }
 

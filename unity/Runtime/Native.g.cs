@@ -59,6 +59,13 @@ namespace Pelagic
         Application = 4,
     }
 
+    /// <summary>Textures that each cascade has or not. DEFAULT depends on the sea and the other options.</summary>
+    public enum Textures {
+        Default = 0,
+        On = 1,
+        Off = 2,
+    }
+
     public enum DynamicWavesKind
     {
         /// <summary>Advances each wave by its own phase: wakes by the dispersion of deep or shallow water.</summary>
@@ -568,10 +575,16 @@ namespace Pelagic
         public bool Velocities;
         /// <summary>largest error of a converged point; 0: 0.001, else [1e-6, 1000]</summary>
         public double QueryToleranceM;
-        /// <summary>True: every cascade has slopes and moments, see pelagic_cascade.</summary>
-        public bool Slopes;
-        /// <summary>True: every cascade has gradients, see pelagic_cascade.</summary>
-        public bool Gradients;
+        /// <summary>
+        /// Slopes and moments of each cascade, Textures They are on by default if the sea has
+        /// 2 or more cascades, with foam, and without gradients. Foam needs them.
+        /// </summary>
+        public Textures Slopes;
+        /// <summary>
+        /// Gradients of each cascade, Textures They are on by default if the sea has 1
+        /// cascade, and without slopes. Slopes and gradients cannot both be off.
+        /// </summary>
+        public Textures Gradients;
         /// <summary>
         /// True enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
         /// a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
@@ -590,8 +603,8 @@ namespace Pelagic
             native.queries = Queries ? 1 : 0;
             native.velocities = Velocities ? 1 : 0;
             native.query_tolerance_m = QueryToleranceM;
-            native.slopes = Slopes ? 1 : 0;
-            native.gradients = Gradients ? 1 : 0;
+            native.slopes = Slopes;
+            native.gradients = Gradients;
             native.foam = Foam ? 1 : 0;
             native.textures_only = TexturesOnly ? 1 : 0;
         }
@@ -601,8 +614,8 @@ namespace Pelagic
             Queries = native.queries != 0;
             Velocities = native.velocities != 0;
             QueryToleranceM = native.query_tolerance_m;
-            Slopes = native.slopes != 0;
-            Gradients = native.gradients != 0;
+            Slopes = native.slopes;
+            Gradients = native.gradients;
             Foam = native.foam != 0;
             TexturesOnly = native.textures_only != 0;
         }
@@ -764,8 +777,8 @@ namespace Pelagic
             internal IntPtr allocate;
             internal IntPtr release;
             internal void* memory_user;
-            internal int slopes;
-            internal int gradients;
+            internal Textures slopes;
+            internal Textures gradients;
             internal int foam;
             internal int textures_only;
             internal DynamicWavesOptions* dynamic_waves;

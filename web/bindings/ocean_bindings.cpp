@@ -48,12 +48,16 @@ OceanOptions ocean_options(const val& options, const SeaState& sea, const std::v
         const val value = options[name];
         return !value.isUndefined() && flag_of(name, value);
     };
+    const auto textures = [&](const char* name) {
+        const val value = options[name];
+        return value.isUndefined() ? std::nullopt : std::optional(flag_of(name, value));
+    };
     const int threads = options["threads"].as<int>();
     OceanOptions ours{.executor = threads > 1 ? make_thread_executor(threads) : make_serial_executor(),
                       .queries = is_wanted("queries"),
                       .velocities = is_wanted("velocities"),
-                      .gradients = is_wanted("gradients"),
-                      .slopes = is_wanted("slopes"),
+                      .gradients = textures("gradients"),
+                      .slopes = textures("slopes"),
                       .foam = is_wanted("foam")};
     if (const val waves = options["dynamicWaves"]; !waves.isUndefined())
         ours.dynamic_waves = dynamic_waves_options_of(waves);

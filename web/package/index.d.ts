@@ -90,9 +90,12 @@ export interface OceanOptions extends SeaOptions {
   queries?: boolean;
   /** Adds velocities to frames and to results of query(). About twice the work. Default false. */
   velocities?: boolean;
-  /** Adds gradients, which frames with `cascades` 1 always have. Default false. */
+  /** Gradients of each cascade. Default: with `cascades` 1, and without slopes. */
   gradients?: boolean;
-  /** Adds slopes and moments, which frames with more cascades always have. Default false. */
+  /**
+   * Slopes and moments of each cascade. Default: with `cascades` 2 to 4, with foam, and without
+   * gradients. Foam needs slopes. Slopes and gradients cannot both be false.
+   */
   slopes?: boolean;
   /** Enables foam, which decays over 2.8 seconds. Default false. */
   foam?: boolean;
@@ -579,7 +582,7 @@ export interface CascadeMaps {
   readonly displacement: Uint16Array;
   /**
    * levelCount(N) mip levels, RGBA8: normal x, normal z, Jacobian, smoothness, of this cascade
-   * alone. Null with 2 or more cascades without OceanOptions.gradients.
+   * alone. Null without OceanOptions.gradients.
    */
   readonly gradients: Uint8Array | null;
   /**
@@ -588,7 +591,7 @@ export interface CascadeMaps {
    * b/255 varianceRange for a variance, (b - 128)/127 varianceRange for the covariance, else
    * (b - 128)/127 slopeRange. The normal of the sums is
    * (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)), J = (1 + D_xx)(1 + D_zz) - D_xz^2.
-   * Null in frames of one cascade without OceanOptions.slopes and foam.
+   * Null without OceanOptions.slopes.
    */
   readonly slopes: Uint8Array | null;
   readonly moments: Uint8Array | null;
