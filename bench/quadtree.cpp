@@ -18,7 +18,7 @@
 namespace pelagic {
 namespace {
 
-constexpr SurfaceBounds moderate_sea{-2, 2.5, 1.5, 1.5};
+constexpr FrameBounds moderate_sea{-2, 2.5, 1.5, 1.5};
 
 /// Returns the view of a viewer on board with a heading that changes each time.
 glm::dmat4 view_of(glm::dvec3 eye, double heading) {

@@ -227,8 +227,8 @@ pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_waves* waves
         out.height_m = ours.height_m.data();
         out.vertical_velocity_mps = ours.vertical_velocity_mps.data();
         out.foam = ours.foam.data();
-        out.height_min_m = ours.height_min_m;
-        out.height_max_m = ours.height_max_m;
+        out.height_min_m = ours.bounds.height_min_m;
+        out.height_max_m = ours.bounds.height_max_m;
         write_struct(out, view);
     });
 }

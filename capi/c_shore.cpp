@@ -71,8 +71,8 @@ pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_sur
         out.vertical_velocity_mps = shore.vertical_velocity_mps.data();
         out.reach_m = shore.reach_m.data();
         out.foam = shore.foam.data();
-        out.height_min_m = shore.height_min_m;
-        out.height_max_m = shore.height_max_m;
+        out.height_min_m = shore.bounds.height_min_m;
+        out.height_max_m = shore.bounds.height_max_m;
         out.potential_m2ps = shore.potential_m2ps.data();
         write_struct(out, surface);
     });

@@ -24,7 +24,7 @@ void check_position(const char* name, const double* values, int count) {
     }
 }
 
-void check_bounds(const SurfaceBounds& b) {
+void check_bounds(const FrameBounds& b) {
     const bool ok = std::isfinite(b.height_min_m) && std::isfinite(b.height_max_m) &&
                     b.height_min_m <= b.height_max_m && std::isfinite(b.horizontal_x_max_m) &&
                     b.horizontal_x_max_m >= 0 && std::isfinite(b.horizontal_z_max_m) && b.horizontal_z_max_m >= 0;
@@ -111,10 +111,10 @@ Selection::Views Selection::views_that_see(const Node& node) const {
     return views;
 }
 
-void Selection::walk(const SurfaceBounds& bounds) {
+void Selection::walk(const FrameBounds& bounds) {
     // The boxes include the undisplaced level, because the waves fade out.
-    const BoxesOfNodes boxes{.low_m = std::min(bounds.height_min_m, 0.0),
-                             .high_m = std::max(bounds.height_max_m, 0.0),
+    const BoxesOfNodes boxes{.low_m = std::min(double{bounds.height_min_m}, 0.0),
+                             .high_m = std::max(double{bounds.height_max_m}, 0.0),
                              .horizontal_m = {bounds.horizontal_x_max_m, bounds.horizontal_z_max_m},
                              .cull_scale = options_.cull_scale};
     culling_.clear();

@@ -21,32 +21,9 @@
 #include "pelagic/quadtree/level_map.hpp"
 #include "pelagic/quadtree/node_culling.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
+#include "pelagic/sim/frame_bounds.hpp"
 
 namespace pelagic {
-
-/// Bounds of the displacement over the whole surface, of one frame or of all frames.
-struct SurfaceBounds {
-    double height_min_m = 0;
-    double height_max_m = 0;
-    double horizontal_x_max_m = 0;  ///< largest |Dx|
-    double horizontal_z_max_m = 0;
-
-    constexpr SurfaceBounds() = default;
-    /// Stores extremes in metres; horizontal ones are absolute values.
-    constexpr SurfaceBounds(double height_min, double height_max, double horizontal_x_max, double horizontal_z_max)
-        : height_min_m(height_min),
-          height_max_m(height_max),
-          horizontal_x_max_m(horizontal_x_max),
-          horizontal_z_max_m(horizontal_z_max) {}
-    /// Converts a frame's bounds, or any other type with members of these names. The quadtree does
-    /// not depend on the simulation.
-    template <class Extremes>
-    requires requires(const Extremes& e) {
-        e.height_min_m, e.height_max_m, e.horizontal_x_max_m, e.horizontal_z_max_m;
-    }
-    constexpr SurfaceBounds(const Extremes& e)
-        : SurfaceBounds(e.height_min_m, e.height_max_m, e.horizontal_x_max_m, e.horizontal_z_max_m) {}
-};
 
 struct SelectionInput {
     glm::dvec3 viewer_m{};                 ///< defines the levels; for a headset, between the eyes
@@ -54,7 +31,7 @@ struct SelectionInput {
     /// View-projection matrices, for instance of both eyes and a shadow; if empty, nothing is
     /// culled.
     std::span<const glm::dmat4> views{};
-    SurfaceBounds bounds{};               ///< heights above the sea level
+    FrameBounds bounds{};                 ///< of a frame or of all frames
     double sea_level_m = 0;               ///< height of still water in the world; within 1e8 m of 0
     ClipDepth depth = ClipDepth::either;  ///< depth range of all views
 };
@@ -98,7 +75,7 @@ class Selection {
     };
 
     QuadtreeGrid grid_around(glm::dvec2 centre_m) const;
-    void walk(const SurfaceBounds& bounds);
+    void walk(const FrameBounds& bounds);
     Views views_that_see(const Node& node) const;
     void emit(const Node& node);
     void sort_into_batches();

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <span>
 
+#include "pelagic/sim/frame_bounds.hpp"
 #include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/snapshot_foam.hpp"
 
@@ -35,14 +36,6 @@ struct PlaneView {
             std::memcpy(out + i, data + i / block_columns * block_stride + j * row_stride,
                         static_cast<std::size_t>(block_columns) * sizeof(float));
     }
-};
-
-/// Extremes of displacements, for culling boxes.
-struct FrameBounds {
-    float height_min_m = 0;
-    float height_max_m = 0;
-    float horizontal_x_max_m = 0;  ///< largest |Dx|
-    float horizontal_z_max_m = 0;  ///< largest |Dz|
 };
 
 /// Returns the number of levels in a mipmap chain: resolution, resolution / 2, ..., 1.

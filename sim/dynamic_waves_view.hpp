@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "pelagic/sim/frame_bounds.hpp"
+
 namespace pelagic {
 
 /// The dynamic-wave grid, whose height adds to that of the cascades at the drawn position,
@@ -20,7 +22,7 @@ struct DynamicWavesView {
     /// have no initial velocity.
     std::span<const float> vertical_velocity_mps;
     std::span<const std::uint8_t> foam;  ///< N^2, 0 none to 255 full
-    float height_min_m = 0, height_max_m = 0;
+    FrameBounds bounds;                  ///< of the height
 
     /// Returns whether there are dynamic waves.
     explicit operator bool() const { return resolution > 0; }

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "pelagic/sim/frame_bounds.hpp"
+
 namespace pelagic {
 
 /// A rectangle with a sea floor, in which cascades are attenuated and refracted waves add to them.
@@ -28,9 +30,9 @@ struct ShoreSurface {
     std::span<const float> potential_m2ps;
     /// Envelope of the crests of the passing waves, at least height_m. Sand below it is wet.
     std::span<const float> reach_m;
-    std::span<const std::uint8_t> foam;        ///< of breaking waves
-    float height_min_m = 0, height_max_m = 0;  ///< bounds of the height, between texels too
-    float weights_change_per_m = 0;            ///< largest change of a weight per metre
+    std::span<const std::uint8_t> foam;  ///< of breaking waves
+    FrameBounds bounds;                  ///< of the height, between texels too
+    float weights_change_per_m = 0;      ///< largest change of a weight per metre
 
     /// Returns whether there is a shore.
     explicit operator bool() const { return columns > 0; }

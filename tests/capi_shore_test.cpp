@@ -70,8 +70,8 @@ TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
     EXPECT_EQ(surface.x_m, -90);
     EXPECT_EQ(surface.z_m, 30);
     EXPECT_EQ(surface.weights_change_per_m, frame.shore.weights_change_per_m);
-    EXPECT_EQ(surface.height_max_m, frame.shore.height_max_m);
-    EXPECT_EQ(surface.height_min_m, frame.shore.height_min_m);
+    EXPECT_EQ(surface.height_max_m, frame.shore.bounds.height_max_m);
+    EXPECT_EQ(surface.height_min_m, frame.shore.bounds.height_min_m);
     const auto same = [](const auto* found, auto all) { return std::equal(all.begin(), all.end(), found); };
     EXPECT_TRUE(same(surface.depth_m, frame.shore.depth_m));
     EXPECT_TRUE(same(surface.weights_rgba8, frame.shore.weights_rgba8));

@@ -228,7 +228,7 @@ TEST(DynamicWaves, RestoredStateIncludesPendingImpulses) {
         ocean->dynamic_waves().add_impulse(drop(0.2));
         ocean->frame_at(0.501);  // no time passes for either
     }
-    EXPECT_GT(continuous.frame_at(0.55).dynamic_waves.height_max_m, 0.2f);
+    EXPECT_GT(continuous.frame_at(0.55).dynamic_waves.bounds.height_max_m, 0.2f);
     EXPECT_EQ(hash_of(late.frame_at(0.55).dynamic_waves), hash_of(continuous.frame_at(0.55).dynamic_waves));
 }
 
@@ -419,11 +419,11 @@ TEST(DynamicWaves, SourcesMoveStopAndAreRemoved) {
     ocean.dynamic_waves().set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
     EXPECT_TRUE(highest_at(-3.1, run_to(720)));
     ocean.dynamic_waves().remove_source(source);
-    EXPECT_LT(run_to(1600).dynamic_waves.height_max_m, 0.02f);
+    EXPECT_LT(run_to(1600).dynamic_waves.bounds.height_max_m, 0.02f);
     // Commands for a removed source, or for a number that never existed, have no effect.
     ocean.dynamic_waves().set_source(source, {.radius_m = 1.5, .height_m = 0.5});
     ocean.dynamic_waves().set_source(77, {.radius_m = 1.5, .height_m = 0.5});
-    EXPECT_LT(run_to(1800).dynamic_waves.height_max_m, 0.02f);
+    EXPECT_LT(run_to(1800).dynamic_waves.bounds.height_max_m, 0.02f);
 }
 
 TEST(DynamicWaves, InvalidArgumentsAreRejected) {

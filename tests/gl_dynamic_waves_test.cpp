@@ -243,7 +243,7 @@ TEST(GlDynamicWaves, LiesAtTheQueriedPositions) {
                                            .height_m = 3});
     for (int tick = 0; tick < 70; ++tick) ocean.frame_at(tick / 60.0);
     const Frame frame = ocean.complete();
-    ASSERT_GT(frame.dynamic_waves.height_max_m, 0.3f);
+    ASSERT_GT(frame.dynamic_waves.bounds.height_max_m, 0.3f);
     const auto height_in = [](const SurfaceQuery& query) {
         return [&query](double x, double z) {
             float height = 0;

@@ -62,8 +62,7 @@ struct HandmadeShore {
                 .potential_m2ps = vertical_velocity_mps,
                 .reach_m = reach_m,
                 .foam = foam,
-                .height_min_m = *min,
-                .height_max_m = *max};
+                .bounds = {.height_min_m = *min, .height_max_m = *max}};
     }
 
     glm::dvec2 corner;
@@ -256,7 +255,7 @@ TEST_F(GlShore, DynamicWavesAddToIt) {
                      .height_m = heights,
                      .vertical_velocity_mps = rises,
                      .foam = foam,
-                     .height_max_m = 3};
+                     .bounds = {.height_max_m = 3}};
     for (std::int64_t z = dynamic_waves.first_z; z < dynamic_waves.first_z + side; ++z)
         for (std::int64_t x = dynamic_waves.first_x; x < dynamic_waves.first_x + side; ++x) {
             const double from_x = static_cast<double>(2 * x) - 440, from_z = static_cast<double>(2 * z) + 300;

@@ -282,8 +282,8 @@ TEST(HullSpray, FoamOfADisturbanceHasNoWaves) {
         // half of the range from 0.2 to 0.4 m, within a byte
         EXPECT_NEAR(sample(view, 0, 0).foam, 0.5, 1.0 / 255);
         EXPECT_EQ(sample(view, 5, 0).foam, 0) << "below the height of foam";
-        EXPECT_EQ(view.height_max_m, 0);
-        EXPECT_EQ(view.height_min_m, 0);
+        EXPECT_EQ(view.bounds.height_max_m, 0);
+        EXPECT_EQ(view.bounds.height_min_m, 0);
         // it decays as that of waves, by 90 bytes a second
         double time_s = 1.0 / 60;
         for (int i = 0; i < 60; ++i) waves.advance(time_s += 1.0 / 60);

@@ -484,8 +484,8 @@ TEST(HullWake, HullsOfAnySizeStayInAStorm) {
         bodies.press(frame, tick_s);
         ocean.schedule(i * tick_s);
         bodies.step(frame, tick_s);
-        largest_wave =
-            std::max<double>({largest_wave, frame.dynamic_waves.height_max_m, -frame.dynamic_waves.height_min_m});
+        largest_wave = std::max<double>(
+            {largest_wave, frame.dynamic_waves.bounds.height_max_m, -frame.dynamic_waves.bounds.height_min_m});
         for (std::uint32_t number = 1; number <= 7; ++number) {
             const HullState& state = bodies.state(number);
             const double speed = glm::length(state.velocity_mps);

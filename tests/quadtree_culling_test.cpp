@@ -32,7 +32,7 @@ class FrameSea {
         const Displacement d = displacement_of(frame_, rest.x, rest.y);
         return {d.dx, d.height, d.dz};
     }
-    SurfaceBounds bounds() const { return frame_.bounds; }
+    FrameBounds bounds() const { return frame_.bounds; }
 
    private:
     const Frame& frame_;

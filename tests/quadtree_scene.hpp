@@ -80,7 +80,10 @@ struct SineSea {
         return {horizontal_m * std::cos(a), height_m * (0.5 * std::sin(a) + 0.5 * std::sin(b)),
                 horizontal_m * std::cos(b)};
     }
-    SurfaceBounds bounds() const { return {-height_m, height_m, horizontal_m, horizontal_m}; }
+    FrameBounds bounds() const {
+        const auto height = static_cast<float>(height_m), horizontal = static_cast<float>(horizontal_m);
+        return {-height, height, horizontal, horizontal};
+    }
 };
 
 inline std::vector<glm::dvec3> patch_positions(const QuadtreeGrid& grid, const PatchInstance& patch,

@@ -301,7 +301,7 @@ TEST(Selection, KeepsTheUndisplacedSeaForAnyBounds) {
     // The view contains the water within a metre of the rest level, where the waves have faded out.
     const glm::dmat4 slice(1e-4, 0, 0, 0, 0, 0, 1, 0, 0, 1e-4, 0, 0, 0, 0, 0, 1);
     Selection selection(quadtree_preset_named("low")->options(1024));
-    for (const SurfaceBounds& bounds : {SurfaceBounds{3, 4, 0, 0}, SurfaceBounds{-4, -3, 0, 0}})
+    for (const FrameBounds& bounds : {FrameBounds{3, 4, 0, 0}, FrameBounds{-4, -3, 0, 0}})
         EXPECT_EQ(selection.select({.views = {&slice, 1}, .bounds = bounds}).instances.size(),
                   selection.select({}).instances.size());
 }

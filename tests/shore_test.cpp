@@ -267,11 +267,11 @@ TEST(Shore, ReachesAreAtLeastTheHeights) {
     }
     EXPECT_GT(max, 0.1f);
     // Between texels a cubic exceeds the range by at most 0.28125 of the range.
-    EXPECT_FLOAT_EQ(frame.shore.height_max_m, max + 0.28125f * (max - min));
-    EXPECT_FLOAT_EQ(frame.shore.height_min_m, min - 0.28125f * (max - min));
+    EXPECT_FLOAT_EQ(frame.shore.bounds.height_max_m, max + 0.28125f * (max - min));
+    EXPECT_FLOAT_EQ(frame.shore.bounds.height_min_m, min - 0.28125f * (max - min));
     // Culling boxes include the heights.
-    EXPECT_GE(frame.bounds.height_max_m, frame.shore.height_max_m);
-    EXPECT_LE(frame.bounds.height_min_m, frame.shore.height_min_m);
+    EXPECT_GE(frame.bounds.height_max_m, frame.shore.bounds.height_max_m);
+    EXPECT_LE(frame.bounds.height_min_m, frame.shore.bounds.height_min_m);
 }
 
 /// A moat one texel wide along the diagonal near an edge, where no land shelters the cascades, in
@@ -332,7 +332,7 @@ TEST(Shore, RaysHitTheSurfaceWhereWeightsChangeAbruptly) {
         if (i % 20 == 0) ocean.frame_at(crest_s + even(-1, 1));
         const Frame& frame = ocean.complete();
         // Only then does the surface consist of the cascades alone.
-        ASSERT_EQ(frame.shore.height_max_m - frame.shore.height_min_m, 0);
+        ASSERT_EQ(frame.shore.bounds.height_max_m - frame.shore.bounds.height_min_m, 0);
         const double middle_z = even(0.5, 3.5), from_m = even(2, 6), tilt = even(-0.1, 0.1);
         const double high = even(0.6, 1.1) * height_of_cascades(frame, 22, 2);
         const SurfaceRay ray{.origin_m = {20 + middle_z - from_m, high - from_m * tilt, middle_z + from_m},

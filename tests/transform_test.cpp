@@ -146,21 +146,23 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
             data[block * block_floats + height_im * lanes() + lane] = 0;
     const std::vector<float> lines(data.data(), data.data() + data.size());
 
-    PlaneBounds bounds;
+    FrameBounds bounds;
     ColumnsFinalizeJob job{
         .blocks = {}, .fft = &fft_, .choppiness = choppiness, .cosine = 1, .sine = 0, .bounds = &bounds};
     for (std::size_t i = 0; i < blocks.size(); ++i) job.blocks[i] = data.data() + blocks[i] * block_floats;
     kernels().columns_finalize(job);
 
-    PlaneBounds expected{data[blocks[0] * block_floats + surface_height * lanes()], -1e30f, 0, 0};
+    FrameBounds expected{data[blocks[0] * block_floats + surface_height * lanes()], -1e30f, 0, 0};
     for (const std::size_t block : blocks) {
         for (std::size_t lane = 0; lane < lanes(); ++lane) {
             for (std::size_t z = 0; z < size(); ++z) {
                 const float* out = data.data() + block * block_floats + z * surface_components * lanes() + lane;
-                expected.height_min = std::min(expected.height_min, out[surface_height * lanes()]);
-                expected.height_max = std::max(expected.height_max, out[surface_height * lanes()]);
-                expected.horizontal_x_max = std::max(expected.horizontal_x_max, std::fabs(out[surface_dx * lanes()]));
-                expected.horizontal_z_max = std::max(expected.horizontal_z_max, std::fabs(out[surface_dz * lanes()]));
+                expected.height_min_m = std::min(expected.height_min_m, out[surface_height * lanes()]);
+                expected.height_max_m = std::max(expected.height_max_m, out[surface_height * lanes()]);
+                expected.horizontal_x_max_m =
+                    std::max(expected.horizontal_x_max_m, std::fabs(out[surface_dx * lanes()]));
+                expected.horizontal_z_max_m =
+                    std::max(expected.horizontal_z_max_m, std::fabs(out[surface_dz * lanes()]));
             }
             if (lane % 3 != 0) continue;
             const auto value = [&](std::size_t n, LineComponent re, LineComponent im) {
@@ -188,17 +190,17 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
             }
         }
     }
-    EXPECT_EQ(bounds.height_min, expected.height_min);
-    EXPECT_EQ(bounds.height_max, expected.height_max);
-    EXPECT_EQ(bounds.horizontal_x_max, expected.horizontal_x_max);
-    EXPECT_EQ(bounds.horizontal_z_max, expected.horizontal_z_max);
+    EXPECT_EQ(bounds.height_min_m, expected.height_min_m);
+    EXPECT_EQ(bounds.height_max_m, expected.height_max_m);
+    EXPECT_EQ(bounds.horizontal_x_max_m, expected.horizontal_x_max_m);
+    EXPECT_EQ(bounds.horizontal_z_max_m, expected.horizontal_z_max_m);
 }
 
 // Zeros of both signs count as one zero, in whatever order lanes read them.
 TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
     AlignedBuffer<float> data(2 * column_block_floats(resolution(), lanes()));
     for (std::size_t i = 0; i < data.size(); i += 3) data[i] = -0.f;
-    PlaneBounds bounds;
+    FrameBounds bounds;
     kernels().columns_finalize({.blocks = {data.data(), data.data() + column_block_floats(resolution(), lanes())},
                                 .fft = &fft_,
                                 .choppiness = 1,
@@ -206,7 +208,7 @@ TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
                                 .sine = 0,
                                 .bounds = &bounds});
     for (const float bound :
-         {bounds.height_min, bounds.height_max, bounds.horizontal_x_max, bounds.horizontal_z_max}) {
+         {bounds.height_min_m, bounds.height_max_m, bounds.horizontal_x_max_m, bounds.horizontal_z_max_m}) {
         EXPECT_EQ(bound, 0.f);
         EXPECT_FALSE(std::signbit(bound));
     }

@@ -294,7 +294,7 @@ TEST(WaterFrame, SelectionFollowsTheSeaLevel) {
     high.target_m.y += 40;
     Selection at_sea(quadtree_preset_named("high")->options(2048)), on_lake(at_sea.options());
     const glm::dmat4 low_view = low.clip_from_world(1.5), high_view = high.clip_from_world(1.5);
-    const SurfaceBounds bounds(-1, 1.5, 2, 2);
+    const FrameBounds bounds{-1, 1.5, 2, 2};
     const DrawList& expected = at_sea.select({.viewer_m = low.position_m, .views = {&low_view, 1}, .bounds = bounds});
     const DrawList& found =
         on_lake.select({.viewer_m = high.position_m, .views = {&high_view, 1}, .bounds = bounds, .sea_level_m = 40});

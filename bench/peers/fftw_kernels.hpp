@@ -35,7 +35,7 @@ struct FftwFinalizeJob {
     std::size_t texels;
     float choppiness;
     float *dx, *height, *dz;
-    PlaneBounds* bounds;
+    FrameBounds* bounds;
 };
 
 struct FftwKernels {

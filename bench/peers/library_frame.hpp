@@ -62,7 +62,7 @@ class LibraryFrame {
     MipAverages mip_averages_;
     AlignedBuffer<std::uint16_t> halves_;
     AlignedBuffer<std::uint32_t> bytes_;
-    PlaneBounds bounds_{};
+    FrameBounds bounds_{};
     PeerFrame frame_;
 };
 

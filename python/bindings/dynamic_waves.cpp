@@ -172,8 +172,8 @@ void add_view(py::module_& module) {
     add(view, "texel_m", [](const Handle& of) { return of.view().texel_m; });
     add(view, "first_x", [](const Handle& of) { return of.view().first_x; });
     add(view, "first_z", [](const Handle& of) { return of.view().first_z; });
-    add(view, "height_min_m", [](const Handle& of) { return of.view().height_min_m; });
-    add(view, "height_max_m", [](const Handle& of) { return of.view().height_max_m; });
+    add(view, "height_min_m", [](const Handle& of) { return of.view().bounds.height_min_m; });
+    add(view, "height_max_m", [](const Handle& of) { return of.view().bounds.height_max_m; });
     add(view, "hash", [](const Handle& of) {
         const auto reader = of.of->read();
         const py::gil_scoped_release others_run;

@@ -96,8 +96,8 @@ void add_shore(py::module_& module, FrameClass& frame) {
     add(shore, "potential_m2ps", [](const Handle& of) { return of.array(of.shore().potential_m2ps, "f4"); });
     add(shore, "reach_m", [](const Handle& of) { return of.array(of.shore().reach_m, "f4"); });
     add(shore, "foam", [](const Handle& of) { return of.array(of.shore().foam, "u1"); });
-    add(shore, "height_min_m", [](const Handle& of) { return of.shore().height_min_m; });
-    add(shore, "height_max_m", [](const Handle& of) { return of.shore().height_max_m; });
+    add(shore, "height_min_m", [](const Handle& of) { return of.shore().bounds.height_min_m; });
+    add(shore, "height_max_m", [](const Handle& of) { return of.shore().bounds.height_max_m; });
     add(shore, "weights_change_per_m", [](const Handle& of) { return of.shore().weights_change_per_m; });
     add(shore, "hash", [](const Handle& of) {
         const auto reader = of.of->read();

@@ -94,7 +94,7 @@ void Pond::fill_row(Pass pass, std::size_t row) {
     footprint.fill(static_cast<float>(waves_.plan.grid.side_m / resolution_));
     static constexpr std::array<float, chunk_texels> none{};
     RowChunk chunk;
-    RowBounds bounds{3.4e38f, -3.4e38f};
+    FrameBounds bounds{.height_min_m = 3.4e38f, .height_max_m = -3.4e38f};
     for (std::size_t first = 0; first < n; first += count) {
         kernels_.pond({.octaves = waves_.terms.data(),
                        .starts = starts_[pass].data(),
@@ -116,17 +116,17 @@ void Pond::fill_row(Pass pass, std::size_t row) {
             store(none.data(), velocity, surface_dz);
         }
         for (std::size_t i = 0; i < count; ++i) {
-            bounds.min = std::min(bounds.min, chunk.height[i]);
-            bounds.max = std::max(bounds.max, chunk.height[i]);
+            bounds.height_min_m = std::min(bounds.height_min_m, chunk.height[i]);
+            bounds.height_max_m = std::max(bounds.height_max_m, chunk.height[i]);
         }
     }
     row_bounds_[row] = bounds;
 }
 
 FrameBounds Pond::end_frame() {
-    RowBounds all = row_bounds_.front();
-    for (const RowBounds& row : row_bounds_) all = {std::min(all.min, row.min), std::max(all.max, row.max)};
-    return {.height_min_m = all.min + 0.f, .height_max_m = all.max + 0.f};
+    FrameBounds all = row_bounds_.front();
+    for (const FrameBounds& row : row_bounds_) all.extend(row);
+    return {.height_min_m = all.height_min_m + 0.f, .height_max_m = all.height_max_m + 0.f};  // no negative zeros
 }
 
 void Pond::add_spectrum_stage(JobGraph& graph) {
@@ -179,7 +179,7 @@ LineStatistics Pond::adopt_spectrum(std::size_t, std::size_t) {
 }
 
 std::size_t Pond::bytes() const {
-    return sizeof(Pond) + columns_.capacity() * sizeof(double) + row_bounds_.capacity() * sizeof(RowBounds) +
+    return sizeof(Pond) + columns_.capacity() * sizeof(double) + row_bounds_.capacity() * sizeof(FrameBounds) +
            waves_.octaves.capacity() * sizeof(GridOctave) + waves_.terms.capacity() * sizeof(PondTerms);
 }
 

@@ -51,9 +51,6 @@ class Pond final : public SeaSource {
         std::vector<PondTerms> terms;
         SlopeRanges slope_ranges;
     };
-    struct RowBounds {
-        float min, max;
-    };
     static Waves waves_of(const SeaState& sea, const CascadePlan& plan);
     static LineStatistics statistics_of(const Waves& waves);
     void fill_row(Pass pass, std::size_t row);
@@ -68,7 +65,7 @@ class Pond final : public SeaSource {
     std::optional<Waves> bake_, staged_;
     /// Phase of each octave at the origin, turns in [-1/2, 1/2).
     OfEachPass<std::vector<double>> starts_;
-    std::vector<RowBounds> row_bounds_;
+    std::vector<FrameBounds> row_bounds_;
 };
 
 }  // namespace pelagic

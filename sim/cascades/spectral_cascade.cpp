@@ -130,14 +130,9 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
 }
 
 FrameBounds SpectralCascade::end_frame() {
-    PlaneBounds all = plane_bounds_.front();
-    for (const PlaneBounds& bounds : plane_bounds_) {
-        all.height_min = std::min(all.height_min, bounds.height_min);
-        all.height_max = std::max(all.height_max, bounds.height_max);
-        all.horizontal_x_max = std::max(all.horizontal_x_max, bounds.horizontal_x_max);
-        all.horizontal_z_max = std::max(all.horizontal_z_max, bounds.horizontal_z_max);
-    }
-    return {all.height_min, all.height_max, all.horizontal_x_max, all.horizontal_z_max};
+    FrameBounds all = plane_bounds_.front();
+    for (const FrameBounds& bounds : plane_bounds_) all.extend(bounds);
+    return all;
 }
 
 void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& plan) {
@@ -212,7 +207,7 @@ void SpectralCascade::transform(std::size_t pair) {
     columns_finalize(Pass::frame, pair, slots_.surface(cascade_), plane_bounds_[pair]);
 }
 
-void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, PlaneBounds& bounds) {
+void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, FrameBounds& bounds) {
     const Shown& shown = shown_[pass];
     ColumnsFinalizeJob job{.blocks = {},
                            .fft = &fft_,
@@ -229,7 +224,7 @@ void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* sur
 
 std::size_t SpectralCascade::bytes() const {
     std::size_t bytes = sizeof(SpectralCascade) + plan_.bytes() +
-                        (plane_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PlaneBounds);
+                        (plane_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(FrameBounds);
     for (const auto& waves : seas_)
         if (waves) bytes += waves->spectrum.bytes() + waves->by_band.bytes();
     for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();

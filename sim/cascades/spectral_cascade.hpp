@@ -56,7 +56,7 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
     void spectrum(std::size_t line);
     void blend(Pass pass, std::size_t line_block);
     EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);
-    void columns_finalize(Pass pass, std::size_t number, float* surface, PlaneBounds& bounds);
+    void columns_finalize(Pass pass, std::size_t number, float* surface, FrameBounds& bounds);
 
     FrameSlots& slots_;
     std::size_t cascade_;
@@ -110,8 +110,8 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
     };
     std::optional<Bake> bake_, staged_;
 
-    std::vector<PlaneBounds> plane_bounds_;     ///< of each pair of column blocks
-    std::vector<PlaneBounds> velocity_bounds_;  ///< written by the kernel and not read
+    std::vector<FrameBounds> plane_bounds_;     ///< of each pair of column blocks
+    std::vector<FrameBounds> velocity_bounds_;  ///< written by the kernel and not read
 };
 
 }  // namespace pelagic

@@ -115,11 +115,11 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
     const bool with_velocities = slots_.contents().velocities && pass == Pass::frame;
     CascadeBuffers& buffers = slots_.buffers(cascade);
     Rows surface, velocity;
-    PlaneBounds bounds{};
+    FrameBounds bounds;
     const auto spans_of = [texels](Rows& rows, std::size_t field) {
         return std::span<float>(rows.fields[field].data(), texels);
     };
-    const auto add_to = [&](std::size_t number, const Rows& rows, AlignedBuffer<float>& planes, PlaneBounds& extremes,
+    const auto add_to = [&](std::size_t number, const Rows& rows, AlignedBuffer<float>& planes, FrameBounds& extremes,
                             const std::array<const char*, input_fields>& names) {
         if (!kernels_.add_rows({.rows = {rows.fields[0].data(), rows.fields[1].data(), rows.fields[2].data()},
                                 .resolution = n,
@@ -154,7 +154,7 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
             std::fill(field.begin(), field.end(), 0.f);
         input.add(rows);
         add_to(number, surface, buffers.surface, bounds, {"dx", "height", "dz"});
-        PlaneBounds of_velocity;
+        FrameBounds of_velocity;
         if (with_velocities)
             add_to(number, velocity, buffers.velocity, of_velocity, {"velocity_x", "velocity_y", "velocity_z"});
     }
@@ -167,19 +167,14 @@ void WaveInputs::end(Frame&) {
 }
 
 FrameBounds WaveInputs::bounds(std::size_t cascade) const {
-    const PlaneBounds* const job_bounds = bounds_.data() + cascade * jobs();
-    PlaneBounds all = *job_bounds;
-    for (std::size_t job = 1; job < jobs(); ++job) {
-        all.height_min = std::min(all.height_min, job_bounds[job].height_min);
-        all.height_max = std::max(all.height_max, job_bounds[job].height_max);
-        all.horizontal_x_max = std::max(all.horizontal_x_max, job_bounds[job].horizontal_x_max);
-        all.horizontal_z_max = std::max(all.horizontal_z_max, job_bounds[job].horizontal_z_max);
-    }
-    return {all.height_min, all.height_max, all.horizontal_x_max, all.horizontal_z_max};
+    const FrameBounds* const job_bounds = bounds_.data() + cascade * jobs();
+    FrameBounds all = *job_bounds;
+    for (std::size_t job = 1; job < jobs(); ++job) all.extend(job_bounds[job]);
+    return all;
 }
 
 std::size_t WaveInputs::bytes() const {
-    return sizeof *this + inputs_.capacity() * sizeof inputs_[0] + bounds_.capacity() * sizeof(PlaneBounds);
+    return sizeof *this + inputs_.capacity() * sizeof inputs_[0] + bounds_.capacity() * sizeof(FrameBounds);
 }
 
 }  // namespace pelagic

@@ -44,7 +44,7 @@ class WaveInputs final : public FramePart {
     OfEachPass<InputMoment> moments_;
     OfEachPass<std::vector<CascadeGrid>> grids_;
     OfEachPass<std::vector<std::uint8_t>> adds_;  ///< by cascade; 1: an input adds to it
-    std::vector<PlaneBounds> bounds_;             ///< [cascade][job], of the frame
+    std::vector<FrameBounds> bounds_;             ///< [cascade][job], of the frame
 };
 
 }  // namespace pelagic

@@ -363,8 +363,7 @@ DynamicWavesView DynamicWaves::State::view_of_back() const {
             .height_m = {slot.height.data(), slot.height.size()},
             .vertical_velocity_mps = {slot.vertical_velocity.data(), slot.vertical_velocity.size()},
             .foam = {slot.foam.data(), slot.foam.size()},
-            .height_min_m = slot.min_height(),
-            .height_max_m = slot.max_height()};
+            .bounds = {.height_min_m = slot.min_height(), .height_max_m = slot.max_height()}};
 }
 
 void DynamicWaves::drop_frame() {

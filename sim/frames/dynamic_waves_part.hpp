@@ -29,8 +29,7 @@ class DynamicWavesPart final : public FramePart {
     void end(Frame& frame) override {
         waves_.complete_frame();
         frame.dynamic_waves = waves_.view();
-        frame.bounds.height_min_m += frame.dynamic_waves.height_min_m;
-        frame.bounds.height_max_m += frame.dynamic_waves.height_max_m;
+        frame.bounds += frame.dynamic_waves.bounds;
     }
     /// Waits for the ticks of a frame in flight, which are not undone.
     void drop() override { waves_.drop_frame(); }

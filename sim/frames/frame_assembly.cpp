@@ -128,16 +128,8 @@ const Frame& FrameAssembly::end_frame() {
         slots_.cascade(cascade).bounds = sources_[cascade]->end_frame();
     for (const auto& part : parts_) part->end(frame);
     FrameBounds sum;
-    for (const Cascade& cascade : slots_.cascades()) {
-        sum.height_min_m += cascade.bounds.height_min_m;
-        sum.height_max_m += cascade.bounds.height_max_m;
-        sum.horizontal_x_max_m += cascade.bounds.horizontal_x_max_m;
-        sum.horizontal_z_max_m += cascade.bounds.horizontal_z_max_m;
-    }
-    frame.bounds.height_min_m += sum.height_min_m;
-    frame.bounds.height_max_m += sum.height_max_m;
-    frame.bounds.horizontal_x_max_m += sum.horizontal_x_max_m;
-    frame.bounds.horizontal_z_max_m += sum.horizontal_z_max_m;
+    for (const Cascade& cascade : slots_.cascades()) sum += cascade.bounds;
+    frame.bounds += sum;
     weather_.need_nothing();
     return frame;
 }

@@ -133,8 +133,8 @@ inline void horizontal_columns(const ColumnsFinalizeJob& job, float* workspace) 
         max_x = finished.max_x;
         max_z = finished.max_z;
     }
-    job.bounds->horizontal_x_max = max_lane<Arch>(max_x);
-    job.bounds->horizontal_z_max = max_lane<Arch>(max_z);
+    job.bounds->horizontal_x_max_m = max_lane<Arch>(max_x);
+    job.bounds->horizontal_z_max_m = max_lane<Arch>(max_z);
 }
 
 /// The heights of two column blocks as a + i b. Both are real, so the value at -kz is conj(a) + i
@@ -181,8 +181,8 @@ inline void height_columns(const ColumnsFinalizeJob& job, float* workspace) {
     const auto finished =
         transform_columns<Arch>(*job.fft, workspace, HeightHalfPlane<Arch, HasSecond>{first, second},
                                 FinishHeights<Arch, HasSecond>{first, second});
-    job.bounds->height_min = min_lane<Arch>(finished.min);
-    job.bounds->height_max = max_lane<Arch>(finished.max);
+    job.bounds->height_min_m = min_lane<Arch>(finished.min);
+    job.bounds->height_max_m = max_lane<Arch>(finished.max);
 }
 
 template <class Arch>

@@ -7,8 +7,6 @@
 
 namespace pelagic {
 
-struct PlaneBounds;
-
 /// Number of fields of a row: dx, height and dz, or their time derivatives.
 inline constexpr std::size_t input_fields = 3;
 
@@ -51,7 +49,7 @@ struct AddRowsJob {
     float* surface;            ///< all column blocks
     std::size_t block_stride;  ///< floats between them
     float max;
-    PlaneBounds* bounds;  ///< extremes of the sum in the job's rows
+    FrameBounds* bounds;  ///< extremes of the sum in the job's rows
 };
 
 }  // namespace pelagic

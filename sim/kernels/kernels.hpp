@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pelagic/sim/frame_bounds.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/sim/kernels/input_jobs.hpp"
 #include "pelagic/sim/kernels/shore_jobs.hpp"
@@ -72,11 +73,6 @@ struct BlendArrivingWavesJob {
     float* out;              ///< layout of `before`; aliases no input
 };
 
-/// Extremes of a piece of a frame, in metres. Merging is bit-identical in any order.
-struct PlaneBounds {
-    float height_min, height_max, horizontal_x_max, horizontal_z_max;
-};
-
 /// Stages `columns` and `finalize`: transforms two column blocks along z, multiplies the horizontal
 /// displacement by lambda (VR Ocean, equation 44) and computes the extremes of both blocks. No sign
 /// correction is needed, because the transforms work in FFT order. Stack: 8 N W bytes.
@@ -88,7 +84,7 @@ struct ColumnsFinalizeJob {
     /// Cosine and sine of the rotation angle of the cascade's axes. The horizontal displacement is
     /// stored along the world's axes.
     float cosine, sine;
-    PlaneBounds* bounds;
+    FrameBounds* bounds;
 };
 
 /// Compression of a cascade in a frame, in bytes: nearest(clamp(offset + factor (Dx,x + Dz,z), 0,

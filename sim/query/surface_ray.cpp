@@ -127,10 +127,11 @@ class FreeSteps {
         const DynamicWavesView& dynamic_waves = query.frame().dynamic_waves;
         const ShoreSurface& shore = query.frame().shore;
         if (query.frame().cascades.size() > 1)
-            change_.emplace(query.frame().cascades,
-                            static_cast<double>(dynamic_waves.height_max_m - dynamic_waves.height_min_m) +
-                                static_cast<double>(shore.height_max_m - shore.height_min_m),
-                            static_cast<double>(shore.weights_change_per_m));
+            change_.emplace(
+                query.frame().cascades,
+                static_cast<double>(dynamic_waves.bounds.height_max_m - dynamic_waves.bounds.height_min_m) +
+                    static_cast<double>(shore.bounds.height_max_m - shore.bounds.height_min_m),
+                static_cast<double>(shore.weights_change_per_m));
     }
 
     /// Returns the number of positions in the first query, before a clearance is known.

@@ -525,8 +525,7 @@ void ShoreSource::rows(std::size_t item) {
 
 void ShoreSource::end(Frame& frame) {
     frame.shore = view_of_back();
-    frame.bounds.height_min_m += frame.shore.height_min_m;
-    frame.bounds.height_max_m += frame.shore.height_max_m;
+    frame.bounds += frame.shore.bounds;
 }
 
 ShoreSurface ShoreSource::view_of_back() const {
@@ -546,8 +545,7 @@ ShoreSurface ShoreSource::view_of_back() const {
             .potential_m2ps = {slot.potential.data(), texels},
             .reach_m = {slot.reach.data(), texels},
             .foam = {slot.foam.data(), texels},
-            .height_min_m = lowest - beyond,
-            .height_max_m = highest + beyond,
+            .bounds = {.height_min_m = lowest - beyond, .height_max_m = highest + beyond},
             .weights_change_per_m = weights_change_per_m_};
 }
 

@@ -122,8 +122,7 @@ DynamicWavesView EventPlayer::at(double time_s) {
 Frame with_water(const Frame& frame, const DynamicWavesView& water) {
     Frame both = frame;
     both.dynamic_waves = water;
-    both.bounds.height_min_m += water.height_min_m;
-    both.bounds.height_max_m += water.height_max_m;
+    both.bounds += water.bounds;
     return both;
 }
 

@@ -402,8 +402,8 @@ class OceanBinding {
         object.set("heightM", view_of(view.height_m));
         object.set("verticalVelocityMps", view_of(view.vertical_velocity_mps));
         object.set("foam", view_of(view.foam));
-        object.set("heightMinM", view.height_min_m);
-        object.set("heightMaxM", view.height_max_m);
+        object.set("heightMinM", view.bounds.height_min_m);
+        object.set("heightMaxM", view.bounds.height_max_m);
         return object;
     }
     std::string dynamic_waves_hash(int slot) const { return hash_text(hash_of(frames_[slot].dynamic_waves)); }
@@ -425,8 +425,8 @@ class OceanBinding {
         object.set("potentialM2ps", view_of(surface.potential_m2ps));
         object.set("reachM", view_of(surface.reach_m));
         object.set("foam", view_of(surface.foam));
-        object.set("heightMinM", surface.height_min_m);
-        object.set("heightMaxM", surface.height_max_m);
+        object.set("heightMinM", surface.bounds.height_min_m);
+        object.set("heightMaxM", surface.bounds.height_max_m);
         object.set("weightsChangePerM", surface.weights_change_per_m);
         return object;
     }
