@@ -49,7 +49,7 @@ class Counts:
 
     def __init__(self, counted):
         self.name = f"Counted by valgrind, {ISAS[counted['isa']]}: read, fetched for writing and written"
-        self.rows = counted["bytes_a_texel"]
+        self.rows = counted["bytes_per_texel"]
 
 
 class Headset:
@@ -165,10 +165,10 @@ def threads_panels(machine, top):
     for colour, (threads, points) in zip(THREAD_COLOURS, faster.items()):
         threads_panel.line(points, f"{threads} threads", colour)
 
-    def ns_a_texel(row):
+    def ns_per_texel(row):
         return row["ours_ms"] * 1e6 / row["n"]**2
 
-    lines = {isa: machine.points(ns_a_texel, isa) for isa in machine.isas}
+    lines = {isa: machine.points(ns_per_texel, isa) for isa in machine.isas}
     ticks = linear_ticks(max(value for points in lines.values() for _, value in points))
     isas_panel = Panel(LEFTS[1], top, "Nanoseconds a texel, one thread", sizes, ticks, 0, ticks[-1])
     for isa, points in lines.items():

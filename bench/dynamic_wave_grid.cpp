@@ -74,8 +74,8 @@ class RowsStage {
     RowsStage(std::size_t n, Executor& executor, OfRows of_rows) {
         graph_.add(
             {.name = "rows",
-             .count = n / DynamicWaveGrid::rows_an_item,
-             .body = for_each_item([of_rows](std::size_t item) { of_rows(item * DynamicWaveGrid::rows_an_item); })});
+             .count = n / DynamicWaveGrid::rows_per_item,
+             .body = for_each_item([of_rows](std::size_t item) { of_rows(item * DynamicWaveGrid::rows_per_item); })});
         run_ = executor.prepare(graph_);
     }
     void operator()() {
@@ -109,13 +109,13 @@ void measure_steps(std::size_t n, Isa isa, int threads) {
                 before.data() + dynamic_row_margin,
                 n,
                 row,
-                DynamicWaveGrid::rows_an_item,
+                DynamicWaveGrid::rows_per_item,
                 0.1f,
                 0.9999f};
     };
     RowsStage step(n, *executor, [&](std::size_t row) { kernels.verlet_rows(rows_from(row)); });
     RowsStage scalar(n, *executor, [&](std::size_t row) { scalar_verlet(rows_from(row)); });
-    const std::size_t floats = DynamicWaveGrid::rows_an_item * dynamic_row_stride(n);
+    const std::size_t floats = DynamicWaveGrid::rows_per_item * dynamic_row_stride(n);
     RowsStage copy(n, *executor, [&](std::size_t row) {
         const std::size_t at = row * dynamic_row_stride(n);
         std::memcpy(before.data() + at, now.data() + at, floats * sizeof(float));

@@ -18,7 +18,7 @@
 namespace pelagic {
 namespace {
 
-constexpr double frames_a_second = 72;
+constexpr double frames_per_second = 72;
 constexpr int frames = 72 * 30;
 
 double seconds_of(Ocean& ocean, double time_s) {
@@ -45,10 +45,10 @@ void measure(const char* name, const SeaState& sea, Isa isa) {
     const auto without = ocean_with(false), with = ocean_with(true);
     const TickClock clock(sea.loop_period_s);
     std::vector<double> plain, with_tick, between_ticks, all, jumps;
-    with->frame_at(-1 / frames_a_second);
+    with->frame_at(-1 / frames_per_second);
     for (int frame = 0; frame < frames; ++frame) {
-        const double time = frame / frames_a_second;
-        const bool is_tick = clock.at(time).number != clock.at((frame - 1) / frames_a_second).number;
+        const double time = frame / frames_per_second;
+        const bool is_tick = clock.at(time).number != clock.at((frame - 1) / frames_per_second).number;
         plain.push_back(seconds_of(*without, time));
         all.push_back(seconds_of(*with, time));
         (is_tick ? with_tick : between_ticks).push_back(all.back());

@@ -29,7 +29,7 @@ double median_of(std::vector<double>& values) {
 
 /// A beach behind an island, 1 km wide.
 ShoreOptions bay(int resolution) {
-    ShoreOptions shore{.columns = 201, .rows = 201, .metres_a_sample = 5, .resolution = resolution};
+    ShoreOptions shore{.columns = 201, .rows = 201, .metres_per_sample = 5, .resolution = resolution};
     for (int j = 0; j < shore.rows; ++j)
         for (int i = 0; i < shore.columns; ++i) {
             const double x = 5.0 * i, z = 5.0 * j;

@@ -23,12 +23,12 @@ ShoreOptions shore_options_of(const pelagic_shore_options* options) {
                       .rows = from.rows,
                       .corner_x_m = from.corner_x_m,
                       .corner_z_m = from.corner_z_m,
-                      .metres_a_sample = from.metres_a_sample,
+                      .metres_per_sample = from.metres_per_sample,
                       .resolution = from.resolution,
                       .fade_m = from.fade_m,
                       .swash_m = from.swash_m == 0 ? -1 : from.swash_m};
     // Read heights only if the counts are valid.
-    constexpr int max = ShoreOptions::max_samples_a_side;
+    constexpr int max = ShoreOptions::max_samples_per_side;
     if (from.columns >= 2 && from.columns <= max && from.rows >= 2 && from.rows <= max) {
         const float* const heights = &needed(from.heights_m, "shore.heights_m");
         ours.heights_m.assign(heights,
@@ -49,7 +49,7 @@ pelagic_status pelagic_shore_defaults(pelagic_shore_options* options) {
         const ShoreOptions ours;
         pelagic_shore_options out{};
         out.resolution = ours.resolution;
-        out.metres_a_sample = ours.metres_a_sample;
+        out.metres_per_sample = ours.metres_per_sample;
         write_struct(out, options);
     });
 }

@@ -1079,7 +1079,7 @@ typedef struct pelagic_shore_options {
      * j * columns + i. Read before the call returns. */
     const float* heights_m;
     double corner_x_m, corner_z_m; /* position of sample (0, 0); [-1e8, 1e8] */
-    double metres_a_sample;        /* distance of neighbouring samples; [0.001, 10000] */
+    double metres_per_sample;        /* distance of neighbouring samples; [0.001, 10000] */
     /* Width of the strip along the edges over which the coarsest cascade fades; at most half of the
      * shorter side. 0: an eighth of it. */
     double fade_m;

@@ -84,15 +84,15 @@ void RenderTarget::show(int width, int height, int window_width, int window_heig
     gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void RenderTarget::read_rows(GLenum type, void* pixels, std::size_t bytes_a_row) {
+void RenderTarget::read_rows(GLenum type, void* pixels, std::size_t bytes_per_row) {
     resolved();
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, type, pixels);
     auto* const rows = static_cast<std::byte*>(pixels);
     for (int y = 0; y < height_ / 2; ++y)
-        std::swap_ranges(rows + bytes_a_row * y, rows + bytes_a_row * (y + 1),
-                         rows + bytes_a_row * (height_ - 1 - y));
+        std::swap_ranges(rows + bytes_per_row * y, rows + bytes_per_row * (y + 1),
+                         rows + bytes_per_row * (height_ - 1 - y));
     check_context(gl_);
     bind();
 }

@@ -51,7 +51,7 @@ class RenderTarget {
     int height() const { return height_; }
 
    private:
-    void read_rows(GLenum type, void* pixels, std::size_t bytes_a_row);
+    void read_rows(GLenum type, void* pixels, std::size_t bytes_per_row);
 
     const Functions& gl_;
     int width_, height_;

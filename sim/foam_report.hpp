@@ -11,13 +11,13 @@ struct CascadeFoam {
     bool makes_whitecaps;
     /// Drift of foam in a loop, along the cascade's columns and rows, rounded to whole texels so
     /// that the loop repeats.
-    int columns_a_loop, rows_a_loop;
+    int columns_per_loop, rows_per_loop;
     double drift_mps;  ///< speed of that drift
 };
 
 struct FoamReport {
     double tick_s;      ///< interval of foam ticks, a whole number of them in a loop
-    int ticks_a_loop;   ///< about 5 a second
+    int ticks_per_loop;  ///< about 5 a second
     int warm_up_ticks;  ///< ticks after which all foam has faded, computed after a jump in time
     /// Time in which foam of 1 fades to 0.
     double fade_s;

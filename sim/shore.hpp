@@ -13,10 +13,10 @@
 namespace pelagic {
 
 struct ShoreOptions {
-    static constexpr int max_samples_a_side = 4096;
+    static constexpr int max_samples_per_side = 4096;
 
     /// Heights of the floor above the rest level, metres, [-11000, 9000]. Sample (i, j) is
-    /// heights_m[j * columns + i] and has the position x = corner_x_m + i metres_a_sample, z alike.
+    /// heights_m[j * columns + i] and has the position x = corner_x_m + i metres_per_sample, z alike.
     /// Columns and rows are 2 to 4096.
     ///
     /// The shore is the rectangle of the samples. Beyond it the floor continues as at its nearest
@@ -24,7 +24,7 @@ struct ShoreOptions {
     int columns = 0, rows = 0;
     std::vector<float> heights_m = {};
     double corner_x_m = 0, corner_z_m = 0;  ///< [-1e8, 1e8]
-    double metres_a_sample = 1;             ///< [0.001, 10000]
+    double metres_per_sample = 1;           ///< [0.001, 10000]
 
     /// Texels along the longer side of Frame::shore; 64, 128, 256, 512 or 1024.
     int resolution = 256;

@@ -59,7 +59,7 @@ TEST(CInterfaceGolden, AnOceanWithDynamicWavesAndAShore) {
     ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
     shore.columns = floor.columns, shore.rows = floor.rows;
     shore.heights_m = floor.heights_m.data();
-    shore.metres_a_sample = floor.metres_a_sample;
+    shore.metres_per_sample = floor.metres_per_sample;
     shore.corner_x_m = floor.corner_x_m, shore.corner_z_m = floor.corner_z_m;
     shore.resolution = floor.resolution;
     const pelagic_dynamic_waves_options grid = golden_grid(64, 8);

@@ -375,17 +375,18 @@ TEST(CInterfaceSmallestValues, FieldsOfRainAreRejectedOrFinite) {
 }
 
 TEST(CInterfaceSmallestValues, FieldsOfAShoreAreRejectedOrFinite) {
-    constexpr Named<pelagic_shore_options> fields[] = {{"corner_x_m", &pelagic_shore_options::corner_x_m},
-                                                       {"corner_z_m", &pelagic_shore_options::corner_z_m},
-                                                       {"metres_a_sample", &pelagic_shore_options::metres_a_sample},
-                                                       {"fade_m", &pelagic_shore_options::fade_m},
-                                                       {"swash_m", &pelagic_shore_options::swash_m}};
+    constexpr Named<pelagic_shore_options> fields[] = {
+        {"corner_x_m", &pelagic_shore_options::corner_x_m},
+        {"corner_z_m", &pelagic_shore_options::corner_z_m},
+        {"metres_per_sample", &pelagic_shore_options::metres_per_sample},
+        {"fade_m", &pelagic_shore_options::fade_m},
+        {"swash_m", &pelagic_shore_options::swash_m}};
     const pelagic_sea sea = two_cascades();
     auto usual = sized<pelagic_shore_options>();
     EXPECT_EQ(pelagic_shore_defaults(&usual), PELAGIC_OK);
     usual.columns = usual.rows = 17;
     usual.resolution = 64;
-    usual.metres_a_sample = 10;
+    usual.metres_per_sample = 10;
     usual.corner_x_m = usual.corner_z_m = -70;
     for (const float sign : {1.f, 0.f}) {  // a beach whose heights also include the smallest values
         std::vector<float> heights;
@@ -414,7 +415,7 @@ TEST(CInterfaceSmallestValues, SmallestAcceptedValuesGiveFiniteFrames) {
     shore.columns = shore.rows = 3;
     shore.resolution = 64;
     shore.heights_m = heights.data();
-    shore.metres_a_sample = 0.001;
+    shore.metres_per_sample = 0.001;
     for (const std::int32_t step : steps) {
         pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(step);
         dynamic_waves.border_m = dynamic_waves.foam_height_m = 0.001;

@@ -27,7 +27,7 @@ class CInterfaceShore : public testing::Test {
         options.heights_m = ours.heights_m.data();
         options.corner_x_m = ours.corner_x_m;
         options.corner_z_m = ours.corner_z_m;
-        options.metres_a_sample = ours.metres_a_sample;
+        options.metres_per_sample = ours.metres_per_sample;
         options.resolution = ours.resolution;
         options.swash_m = ours.swash_m;
         return options;

@@ -107,7 +107,7 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
     const float floor[] = {-9, 1, -8, 2};
     shore.columns = shore.rows = 2;
-    shore.metres_a_sample = 100;
+    shore.metres_per_sample = 100;
     shore.resolution = 64;
     shore.heights_m = floor;
     expect_read_in_every_size(shore, [](pelagic_shore_options* wanted) {
@@ -220,7 +220,7 @@ TEST_F(StructSizes, OutputStructsMayBeOlderOrNewer) {
     ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
     const float floor[] = {-9, 1, -8, 2};
     shore.columns = shore.rows = 2;
-    shore.metres_a_sample = 100;
+    shore.metres_per_sample = 100;
     shore.resolution = 64;
     shore.heights_m = floor;
     auto ashore = sized<pelagic_ocean_options>();

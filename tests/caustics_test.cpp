@@ -159,7 +159,7 @@ TEST(SeaFloor, InvalidValuesAreNamed) {
 }
 
 TEST(SeaFloor, MipsAverageToTheMeanAndHeightsAreInterpolated) {
-    gl::SeaFloor floor{.columns = 4, .rows = 2, .corner_m = {10, 20}, .metres_a_texel = 5};
+    gl::SeaFloor floor{.columns = 4, .rows = 2, .corner_m = {10, 20}, .metres_per_texel = 5};
     floor.heights_m = {-8, -4, 0, 4, -6, -2, 2, 6};
     const gl::FloorTexels texels = gl::texels_of(floor);
     ASSERT_EQ(texels.levels, 3);

@@ -14,7 +14,7 @@
 namespace pelagic {
 namespace {
 
-constexpr int samples_a_range = 200000;
+constexpr int samples_per_range = 200000;
 
 double relative_error(double value, long double truth) {
     return static_cast<double>(std::fabs((static_cast<long double>(value) - truth) / truth));
@@ -24,7 +24,7 @@ double relative_error(double value, long double truth) {
 TEST(DetMath, LogIsWithinFewUlps) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> exponent(-300, 300), near_one(-1e-3, 1e-3);
-    for (int i = 0; i < samples_a_range; ++i) {
+    for (int i = 0; i < samples_per_range; ++i) {
         const double far = std::exp(exponent(random));
         EXPECT_LT(relative_error(det::log(far), std::log(static_cast<long double>(far))), 4e-16) << far;
         const double near = 1 + near_one(random);
@@ -38,7 +38,7 @@ TEST(DetMath, LogIsWithinFewUlps) {
 TEST(DetMath, ExpIsWithinFewUlps) {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> any(-707, 709);
-    for (int i = 0; i < samples_a_range; ++i) {
+    for (int i = 0; i < samples_per_range; ++i) {
         const double x = any(random);
         EXPECT_LT(relative_error(det::exp(x), std::exp(static_cast<long double>(x))), 4e-16) << x;
     }
@@ -51,7 +51,7 @@ TEST(DetMath, ExpIsWithinFewUlps) {
 TEST(DetMath, PowErrorGrowsOnlyWithTheResultsLogarithm) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> base(1e-6, 1e6), power(-8, 8);
-    for (int i = 0; i < samples_a_range; ++i) {
+    for (int i = 0; i < samples_per_range; ++i) {
         const double x = base(random), y = power(random);
         const double bound = 4e-16 * (1 + std::fabs(y * std::log(x)));
         EXPECT_LT(relative_error(det::pow(x, y), std::pow(static_cast<long double>(x), static_cast<long double>(y))),
@@ -63,7 +63,7 @@ TEST(DetMath, PowErrorGrowsOnlyWithTheResultsLogarithm) {
 TEST(DetMath, TanhIsWithinFewUlpsFromShallowToDeep) {
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> exponent(-12, 4);
-    for (int i = 0; i < samples_a_range; ++i) {
+    for (int i = 0; i < samples_per_range; ++i) {
         const double x = std::exp(exponent(random));
         EXPECT_LT(relative_error(det::tanh(x), std::tanh(static_cast<long double>(x))), 1e-14) << x;
     }
@@ -75,7 +75,7 @@ TEST(DetMath, TanhIsWithinFewUlpsFromShallowToDeep) {
 TEST(DetMath, TanhOfABatchHasTheBitsOfSingleValues) {
     std::mt19937_64 random(6);
     std::uniform_real_distribution<double> exponent(-12, 4);
-    for (int i = 0; i < samples_a_range; ++i) {
+    for (int i = 0; i < samples_per_range; ++i) {
         std::array<double, det::batch_size> values;
         for (double& x : values) x = std::exp(exponent(random));
         values[static_cast<std::size_t>(i) % det::batch_size] = std::array{0.0, 0.05, 20.0, 25.0}[static_cast<std::size_t>(i) % 4];
@@ -91,7 +91,7 @@ TEST(DetMath, SineAndCosineOfTurnsAreWithinFewUlpsOfOne) {
     constexpr long double two_pi = 6.283185307179586476925286766559L;
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> any(-3, 3);
-    for (int i = 0; i < samples_a_range; ++i) {
+    for (int i = 0; i < samples_per_range; ++i) {
         const double turns = any(random);
         const auto got = det::sine_cosine_of_turns(turns);
         EXPECT_NEAR(got.sine, static_cast<double>(std::sin(two_pi * turns)), 4e-16) << turns;

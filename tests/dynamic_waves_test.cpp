@@ -75,16 +75,16 @@ TEST(DynamicWaves, AreBitIdenticalOnEveryInstructionSetAndExecutor) {
 // Ticks are independent of frames: constant sources give equal states at equal times for any number
 // of frames.
 TEST(DynamicWaves, DoNotDependOnTheFrameRate) {
-    const auto after_two_seconds = [](int frames_a_second) {
+    const auto after_two_seconds = [](int frames_per_second) {
         Ocean ocean(breeze, with_dynamic_waves());
         ocean.dynamic_waves().add_source(boat);
-        for (int frame = 0; frame <= 2 * frames_a_second; ++frame)
-            ocean.frame_at(frame / static_cast<double>(frames_a_second));
+        for (int frame = 0; frame <= 2 * frames_per_second; ++frame)
+            ocean.frame_at(frame / static_cast<double>(frames_per_second));
         return hash_of(ocean.frame_at(2.0).dynamic_waves);
     };
     const std::uint64_t expected = after_two_seconds(60);
-    for (const int frames_a_second : {7, 24, 30, 72, 90, 144})
-        EXPECT_EQ(after_two_seconds(frames_a_second), expected);
+    for (const int frames_per_second : {7, 24, 30, 72, 90, 144})
+        EXPECT_EQ(after_two_seconds(frames_per_second), expected);
 }
 
 // A frame between two ticks shows the last two ticks, interpolated linearly.

@@ -176,7 +176,7 @@ class ManualTicks {
         const std::size_t texels = grid_texels * grid_texels;
         AlignedBuffer<float> height(texels), rise(texels), edge(grid_texels);
         std::vector<std::uint8_t> foam(texels);
-        for (std::size_t item = 0; item < grid_texels / DynamicWaveGrid::rows_an_item; ++item)
+        for (std::size_t item = 0; item < grid_texels / DynamicWaveGrid::rows_per_item; ++item)
             pool_.grid.show(static_cast<float>(fraction), item,
                             {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
         std::vector<float> pixels;

@@ -297,7 +297,7 @@ TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
     const Frame& frame = library.frame_at(0);
     EXPECT_EQ(recorded["level"], frame.statistics.foam_level);
     EXPECT_EQ(recorded["tick_s"], 0.25);  // of a loop of 8 s
-    EXPECT_EQ(recorded["ticks_a_loop"], 32);
+    EXPECT_EQ(recorded["ticks_per_loop"], 32);
     EXPECT_EQ(recorded["warm_up_ticks"], 16);
     EXPECT_NEAR(recorded["whitecap_cover"].get<double>(), 3.84e-6 * std::pow(20, 3.41), 1e-9);
     const double x = frame.statistics.foam_drift_x_mps, z = frame.statistics.foam_drift_z_mps;
@@ -307,7 +307,7 @@ TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
         const Cascade& cascade = frame.cascades[i];
         const CascadeGrid::Place a_loop = cascade.grid.in_cascade(8 * x, 8 * z);
         const json& of_cascade = recorded["cascades"][i];
-        const double columns = of_cascade["columns_a_loop"], rows = of_cascade["rows_a_loop"];
+        const double columns = of_cascade["columns_per_loop"], rows = of_cascade["rows_per_loop"];
         EXPECT_NEAR(columns, a_loop.along / cascade.texel_m(), 0.5001);
         EXPECT_NEAR(rows, a_loop.across / cascade.texel_m(), 0.5001);
         EXPECT_NEAR(of_cascade["drift_mps"].get<double>(), std::hypot(columns, rows) * cascade.texel_m() / 8, 1e-12);
@@ -316,7 +316,7 @@ TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
 
     const std::string table = run_foamy_gale({"info", "--measured"}).out;
     for (const char* part : {"Foam accumulation", "whitecap_cover", "warm_up_ticks               16", "drift_mps",
-                             "makes no whitecaps", "columns_a_loop"})
+                             "makes no whitecaps", "columns_per_loop"})
         EXPECT_NE(table.find(part), std::string::npos) << table << "lacks " << part;
 }
 

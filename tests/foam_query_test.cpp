@@ -93,10 +93,10 @@ TEST(FoamQuery, IsThatOfTheTexelsAtTheReferencePoint) {
         // The search stops within a 64th of a millimetre, or five times that at the reference
         // point. The sum of the cascades changes by at most 8 over a texel along each axis, and
         // foam by 1 / 0.3 times as much.
-        double change_a_m = 0;
+        double change_per_m = 0;
         for (const Cascade& cascade : frame.cascades)
-            if (!cascade.compression_r8.empty()) change_a_m += 2 * 8 / 0.3 / cascade.texel_m();
-        EXPECT_LT(largest_error, 1e-6 + 5 * 1.6e-5 * change_a_m);
+            if (!cascade.compression_r8.empty()) change_per_m += 2 * 8 / 0.3 / cascade.texel_m();
+        EXPECT_LT(largest_error, 1e-6 + 5 * 1.6e-5 * change_per_m);
         EXPECT_GT(compared, static_cast<int>(foam.size()) * 8 / 10);
         EXPECT_GT(white, compared / 50);
     }

@@ -30,7 +30,7 @@ TEST(FoamTicks, DoesNotDependOnTheFirstFrame) {
     Ocean in_order(sea, with_foam());
     const TickClock clock(sea.loop_period_s);
     std::vector<std::uint64_t> expected;
-    for (int tick = 0; tick < clock.ticks_a_loop(); ++tick)
+    for (int tick = 0; tick < clock.ticks_per_loop(); ++tick)
         expected.push_back(foam_hash_of(in_order.frame_at(clock.time_in_loop_s(tick))));
     std::mt19937 random(5);
     Ocean ocean(sea, with_foam());
@@ -40,7 +40,7 @@ TEST(FoamTicks, DoesNotDependOnTheFirstFrame) {
             const double loops = static_cast<int>(random() % 7) - 3;
             const double time = clock.time_in_loop_s(tick) + loops * sea.loop_period_s;
             ASSERT_EQ(foam_hash_of(ocean.frame_at(time)), expected[static_cast<std::size_t>(tick)]) << time;
-            tick = (tick + static_cast<int>(random() % 4)) % clock.ticks_a_loop();
+            tick = (tick + static_cast<int>(random() % 4)) % clock.ticks_per_loop();
         }
     }
 }
@@ -71,7 +71,7 @@ TEST(FoamTicks, OfAForecastDoesNotDependOnTheOrderOfFrames) {
     const TickClock clock(gale_of_two_cascades.loop_period_s);
     std::vector<std::uint64_t> expected;
     for (int tick = 0; tick < 150; ++tick) expected.push_back(foam_hash_of(in_order.frame_at(clock.time_s(tick))));
-    EXPECT_NE(expected[10], expected[10 + static_cast<std::size_t>(clock.ticks_a_loop())])
+    EXPECT_NE(expected[10], expected[10 + static_cast<std::size_t>(clock.ticks_per_loop())])
         << "a whole loop later the weather is another";
     std::mt19937 random(6);
     Ocean ocean(rising(), with_foam());
@@ -135,7 +135,7 @@ TEST(FoamDrift, MatchesWindAndStokesDriftOverALoop) {
         EXPECT_LT(along / sea.wind_speed_mps, 0.04);
         EXPECT_NEAR(drift_z * std::cos(direction) - drift_x * std::sin(direction), 0, 0.02 * along);
         for (const Cascade& cascade : frame.cascades) {
-            const DriftTexels loop = drift_a_loop(frame.statistics, cascade.grid, cascade.resolution(), clock);
+            const DriftTexels loop = drift_per_loop(frame.statistics, cascade.grid, cascade.resolution(), clock);
             const CascadeGrid::Place moved =
                 cascade.grid.in_world(loop.x * cascade.texel_m(), loop.z * cascade.texel_m());
             // Rounded to whole texels along each of two axes.
@@ -163,25 +163,25 @@ TEST(FoamDrift, IsReportedForEveryPreset) {
 TEST(TickClock, LoopsHaveWholeTicksThatCanBeFoundByTime) {
     for (const double period : {0.1, 0.149, 1.0, 7.3, 200.0, 86400.0}) {
         const TickClock clock(period);
-        EXPECT_EQ(clock.ticks_a_loop() % 16, 0);
+        EXPECT_EQ(clock.ticks_per_loop() % 16, 0);
         if (period >= 16 * 0.185) {
             EXPECT_GE(clock.tick_s(), 0.185);
             EXPECT_LT(clock.tick_s(), period < 30 ? 2 * 0.185 : 0.206);
         } else {
-            EXPECT_EQ(clock.ticks_a_loop(), 16);
+            EXPECT_EQ(clock.ticks_per_loop(), 16);
         }
         std::mt19937 random(1);
         for (int i = 0; i < 2000; ++i) {
             const auto number = static_cast<std::int64_t>(random() % 4000000) - 2000000;
-            const double time = static_cast<double>(number) * period / clock.ticks_a_loop();
+            const double time = static_cast<double>(number) * period / clock.ticks_per_loop();
             // A tick's time may not be representable as a double, and rounds by at most 2^-30 of a
             // loop to either side.
             const TickPlace place = clock.at(time + period * 0x1p-30);
             ASSERT_EQ(place.number, number) << period;
-            ASSERT_LE(place.fraction, 0x1p32 * clock.ticks_a_loop() * 0x1p-29) << period;
+            ASSERT_LE(place.fraction, 0x1p32 * clock.ticks_per_loop() * 0x1p-29) << period;
             ASSERT_EQ(clock.at(clock.time_in_loop_s(number)).number, clock.in_loop(number));
         }
-        EXPECT_EQ(clock.at(1e300).number % clock.ticks_a_loop(), clock.at(std::fmod(1e300, period)).number);
+        EXPECT_EQ(clock.at(1e300).number % clock.ticks_per_loop(), clock.at(std::fmod(1e300, period)).number);
     }
 }
 

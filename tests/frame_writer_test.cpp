@@ -255,13 +255,13 @@ TEST(FrameWriter, DividesTheMemoryLeftByTheOcean) {
     options.compute.threads = 1024;
     EXPECT_EQ(bytes_for_writing(1500 * mib), 292 * mib);
     EXPECT_EQ(bytes_for_writing(5000 * mib), 256 * mib);
-    EXPECT_EQ(plan_writing(options, 292 * mib), (WritingPlan{.frames = 1, .files_a_frame = 2}));
+    EXPECT_EQ(plan_writing(options, 292 * mib), (WritingPlan{.frames = 1, .files_per_frame = 2}));
     options.compute.threads = 1;
-    EXPECT_EQ(plan_writing(options, 292 * mib), (WritingPlan{.frames = 1, .files_a_frame = 1}));
+    EXPECT_EQ(plan_writing(options, 292 * mib), (WritingPlan{.frames = 1, .files_per_frame = 1}));
     options.sea.sea.resolution = 512;
     options.compute.threads = 16;
-    EXPECT_EQ(plan_writing(options, 1600 * mib), (WritingPlan{.frames = 16, .files_a_frame = 1}));
-    EXPECT_EQ(plan_writing(options, 512 * mib), (WritingPlan{.frames = 8, .files_a_frame = 2}));
+    EXPECT_EQ(plan_writing(options, 1600 * mib), (WritingPlan{.frames = 16, .files_per_frame = 1}));
+    EXPECT_EQ(plan_writing(options, 512 * mib), (WritingPlan{.frames = 8, .files_per_frame = 2}));
 }
 
 }  // namespace

@@ -438,7 +438,7 @@ TEST(SeaFloor, LiesAtThePositionsOfItsHeights) {
     gl::SeaFloor floor{.columns = 40,
                        .rows = 30,
                        .corner_m = {-47, -31},
-                       .metres_a_texel = 3,
+                       .metres_per_texel = 3,
                        .is_sand = false,
                        .albedo = glm::vec3(1)};
     for (int j = 0; j < floor.rows; ++j)

@@ -88,15 +88,15 @@ std::vector<double> power_of(FoamImage::Layer layer) {
 }
 
 /// Returns the wavelengths, in metres, above which 10 %, 50 % and 90 % of the variance lie.
-/// `waves_a_m(kx, ky)` is 1 / wavelength.
+/// `waves_per_m(kx, ky)` is 1 / wavelength.
 template <class WavesPerMetre>
-std::array<double, 3> wavelengths(FoamImage::Layer layer, const char* name, const WavesPerMetre& waves_a_m) {
+std::array<double, 3> wavelengths(FoamImage::Layer layer, const char* name, const WavesPerMetre& waves_per_m) {
     const std::vector<double> power = power_of(layer);
     std::vector<std::pair<double, double>> sorted;
     double all = 0;
     for (int i = 0; i < foam_side * foam_side; ++i)
         if (const double p = power[static_cast<std::size_t>(i)]; p > 0) {
-            sorted.emplace_back(waves_a_m(i % foam_side, i / foam_side), p);
+            sorted.emplace_back(waves_per_m(i % foam_side, i / foam_side), p);
             all += p;
         }
     std::sort(sorted.begin(), sorted.end());

@@ -209,7 +209,7 @@ TEST(RenderCommand, PrintsStatisticsAndNumbersItsImages) {
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto statistics = nlohmann::json::parse(run.out).at("statistics");
     EXPECT_EQ(statistics.at("views"), 2);
-    EXPECT_LE(statistics.at("sea_draw_calls_a_view"), 17);
+    EXPECT_LE(statistics.at("sea_draw_calls_per_view"), 17);
     const int texels = (4 * 64 * 64 - 1) / 3, without_snapshots = 4 * (64 * 64 * 8 + 2 * 4 * texels);
     EXPECT_EQ((statistics.at("uploaded_bytes").get<int>() - without_snapshots) % (3 * 4 * texels), 0);
     EXPECT_GT(statistics.at("triangles"), 0);

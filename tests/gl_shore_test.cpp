@@ -550,7 +550,7 @@ TEST_F(GlShore, SandIsDarkUpToTheReachOfWaves) {
                        .rows = 41,
                        .corner_x_m = square.middle.x - 100,
                        .corner_z_m = square.middle.y - 100,
-                       .metres_a_sample = 5};
+                       .metres_per_sample = 5};
     const auto ground = [&](double x) { return 1 + (x - square.middle.x) / 16; };
     for (int i = 0; i < beach.columns * beach.rows; ++i)
         beach.heights_m.push_back(static_cast<float>(ground(beach.corner_x_m + 5 * (i % beach.columns))));

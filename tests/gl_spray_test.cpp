@@ -60,7 +60,7 @@ class Sky {
 };
 
 /// Pixels per metre at a distance.
-double pixels_a_metre(double distance_m) {
+double pixels_per_metre(double distance_m) {
     return 0.5 * spray_pixels / std::tan(0.5 * upwards.vertical_view_rad) / distance_m;
 }
 
@@ -95,7 +95,7 @@ double closed_form() {
 TEST(GlSpray, HasTheLightOfTheClosedForm) {
     Sky sky;
     constexpr double distance_m = 12;
-    const double radius_m = 20 / pixels_a_metre(distance_m);
+    const double radius_m = 20 / pixels_per_metre(distance_m);
     const Green green = green_of(sky.image(droplet_at(ahead_of(upwards, distance_m), radius_m, 0.5f)));
     EXPECT_NEAR(green.max, 0.5 * closed_form(), 0.02 * 0.5 * closed_form());
     EXPECT_NEAR(green.sum, pi / 3 * 20 * 20 * 0.5 * closed_form(), 0.03 * pi / 3 * 20 * 20 * 0.5 * closed_form());
@@ -105,7 +105,7 @@ TEST(GlSpray, HasTheLightOfTheClosedForm) {
 TEST(GlSpray, IsBlurredAlongItsMotion) {
     Sky sky;
     constexpr double distance_m = 12;
-    const double radius_m = 8 / pixels_a_metre(distance_m);
+    const double radius_m = 8 / pixels_per_metre(distance_m);
     SprayDroplet droplet = droplet_at(ahead_of(upwards, distance_m), radius_m, 0.5f);
     const Green still = green_of(sky.image(droplet));
     droplet.velocity_z_mps = static_cast<float>(2 * radius_m * 40);  // a path of two radii
@@ -119,7 +119,7 @@ TEST(GlSpray, IsBlurredAlongItsMotion) {
 TEST(GlSpray, KeepsItsLightWhereItIsSmallerThanAPixel) {
     Sky sky;
     constexpr double distance_m = 40;
-    const double pixel_m = 1 / pixels_a_metre(distance_m), expected = pi / 3 * 0.1 * 0.1 * closed_form();
+    const double pixel_m = 1 / pixels_per_metre(distance_m), expected = pi / 3 * 0.1 * 0.1 * closed_form();
     const glm::dvec3 middle = ahead_of(upwards, distance_m), across(0, 0, pixel_m);
     const glm::dvec3 along = glm::cross(glm::normalize(upwards.target_m - upwards.position_m), across);
     double sum = 0;
@@ -135,7 +135,7 @@ TEST(GlSpray, KeepsItsLightWhereItIsSmallerThanAPixel) {
 // remains in alpha. An opaque middle is that of the droplet alone.
 TEST(GlSpray, IsEqualWithWeightedSamples) {
     Sky sky;
-    const double radius_m = 20 / pixels_a_metre(12);
+    const double radius_m = 20 / pixels_per_metre(12);
     const std::vector<float> image = sky.image(droplet_at(ahead_of(upwards, 12), radius_m, 1), 0, true);
     const std::size_t middle = (std::size_t{spray_pixels} * spray_pixels / 2 + spray_pixels / 2) * 4;
     ASSERT_GT(image[middle + 3], 0);
@@ -183,7 +183,7 @@ class Plane {
 TEST(GlSpray, FadesAtTheSurfacesOfADepthTexture) {
     Sky sky;
     const gl::Eye eye = gl::eye_of(upwards, {0, 0, spray_pixels, spray_pixels});
-    const double radius_m = 20 / pixels_a_metre(12);
+    const double radius_m = 20 / pixels_per_metre(12);
     const SprayDroplet droplet = droplet_at(ahead_of(upwards, 12), radius_m, 0.5f);
     const double all = green_of(sky.image(droplet)).sum;
     const auto light_before = [&](double surface_m) {

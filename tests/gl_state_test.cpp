@@ -226,7 +226,7 @@ std::vector<std::uint8_t> image(const gl::Functions& gl, const Frame& frame, con
     after_each_call("constructor");
     renderer.set_sky(test_sky());
     after_each_call("set_sky");
-    renderer.set_floor({.columns = 3, .rows = 2, .heights_m = {-4, -3, -2, -4, -2, 1}, .metres_a_texel = 20});
+    renderer.set_floor({.columns = 3, .rows = 2, .heights_m = {-4, -3, -2, -4, -2, 1}, .metres_per_texel = 20});
     after_each_call("set_floor");
     gl::CausticsBaker baker(make_serial_executor());
     baker.schedule(frame, {});

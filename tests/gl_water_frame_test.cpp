@@ -33,7 +33,7 @@ gl::SeaFloor tide_beach(glm::dvec2 corner_m, float level_m) {
     for (int i = 0; i < floor.columns * floor.rows; ++i)
         floor.heights_m.push_back(level_m + static_cast<float>(i % floor.columns) * 0.25f - 6);
     floor.corner_m = corner_m;
-    floor.metres_a_texel = 4;
+    floor.metres_per_texel = 4;
     return floor;
 }
 

@@ -127,7 +127,7 @@ TEST(ShoreCommand, InvalidOptionsAreNamed) {
          "pelagic: --floor is reef.jpg, expected a PNG or EXR image, each side from 2 to 4096 pixels\n"},
         {{"--floor", file, "--floor-size", "1e6", "--shore"},
          "pelagic: --floor is " + file +
-             ", expected heights in metres (metres_a_sample 41666.666666666664 is out of range [0.001, 10000])\n"},
+             ", expected heights in metres (metres_per_sample 41666.666666666664 is out of range [0.001, 10000])\n"},
         {{"--floor", file, "--shore", "--patch-size", "250"},
          "pelagic: --cascades is 1, expected 2 to 4 where there is a shore, which takes the coarsest cascade's "
          "waves\n"},

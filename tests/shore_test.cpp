@@ -432,7 +432,7 @@ TEST(Shore, WarnsOfTexelsTooCoarseForItsWaves) {
     ShoreOptions shore = shore_of(64, 64, 7.3, [](double, double) { return -50; });
     shore.resolution = 64;
     EXPECT_EQ(warning_about(shore, sea), "");
-    shore.metres_a_sample = 7.8;
+    shore.metres_per_sample = 7.8;
     const std::string warning = warning_about(shore, sea);
     EXPECT_EQ(warning.find("texels of 7.8 m are coarse"), 0U) << warning;
     EXPECT_NE(warning.find("texels of 7.6 m do not"), std::string::npos) << warning;
@@ -457,8 +457,8 @@ TEST(Shore, InvalidOptionsAreRejected) {
               "heights_m 1e+30 is out of range [-11000, 9000]");
     EXPECT_EQ(refused([=](ShoreOptions& shore) { shore.corner_x_m = nan; }),
               "corner_x_m nan is out of range [-1e8, 1e8]");
-    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.metres_a_sample = 0; }),
-              "metres_a_sample 0 is out of range [0.001, 10000]");
+    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.metres_per_sample = 0; }),
+              "metres_per_sample 0 is out of range [0.001, 10000]");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.resolution = 100; }),
               "resolution is 100, expected 64, 128, 256, 512 or 1024");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.fade_m = 151; }),

@@ -373,8 +373,8 @@ TEST(Shoaling, KeepsWavesOfEightTexelsBetweenTexels) {
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .shore = even});
     std::vector<double> x, z;
     for (int i = 0; i < 400; ++i) {
-        x.push_back((20.5 + i % 20) * even.metres_a_sample);
-        z.push_back((20.5 + i / 20) * even.metres_a_sample);
+        x.push_back((20.5 + i % 20) * even.metres_per_sample);
+        z.push_back((20.5 + i / 20) * even.metres_per_sample);
     }
     std::vector<float> height(x.size()), normal_x(x.size()), normal_y(x.size()), normal_z(x.size());
     double heights = 0, slopes = 0;

@@ -9,18 +9,18 @@
 namespace pelagic {
 
 template <class Height>
-ShoreOptions shore_of(int columns, int rows, double metres_a_sample, Height height) {
-    ShoreOptions shore{.columns = columns, .rows = rows, .metres_a_sample = metres_a_sample};
+ShoreOptions shore_of(int columns, int rows, double metres_per_sample, Height height) {
+    ShoreOptions shore{.columns = columns, .rows = rows, .metres_per_sample = metres_per_sample};
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
-            shore.heights_m.push_back(static_cast<float>(height(i * metres_a_sample, j * metres_a_sample)));
+            shore.heights_m.push_back(static_cast<float>(height(i * metres_per_sample, j * metres_per_sample)));
     return shore;
 }
 
 /// A flat floor at `depth_m`, then a slope up to 2 m above the sea at the far end of x.
-inline ShoreOptions beach(double long_m, double wide_m, double depth_m, double flat_m, double metres_a_sample) {
-    return shore_of(static_cast<int>(long_m / metres_a_sample) + 1, static_cast<int>(wide_m / metres_a_sample) + 1,
-                    metres_a_sample, [=](double x, double) {
+inline ShoreOptions beach(double long_m, double wide_m, double depth_m, double flat_m, double metres_per_sample) {
+    return shore_of(static_cast<int>(long_m / metres_per_sample) + 1,
+                    static_cast<int>(wide_m / metres_per_sample) + 1, metres_per_sample, [=](double x, double) {
                         return x < flat_m ? -depth_m : -depth_m + (x - flat_m) / (long_m - flat_m) * (depth_m + 2);
                     });
 }
@@ -38,9 +38,9 @@ inline ShoreOptions bay() {
 }
 
 /// A round island with steep sides in water of one depth, at the centre of a square.
-inline ShoreOptions island(double side_m, double radius_m, double depth_m, double metres_a_sample) {
-    const int samples = static_cast<int>(side_m / metres_a_sample) + 1;
-    return shore_of(samples, samples, metres_a_sample, [=](double x, double z) {
+inline ShoreOptions island(double side_m, double radius_m, double depth_m, double metres_per_sample) {
+    const int samples = static_cast<int>(side_m / metres_per_sample) + 1;
+    return shore_of(samples, samples, metres_per_sample, [=](double x, double z) {
         const double from_x = x - side_m / 2, from_z = z - side_m / 2;
         const double to_edge = std::sqrt(from_x * from_x + from_z * from_z) - radius_m;
         return std::max(-depth_m, std::min(5.0, -20 * to_edge));

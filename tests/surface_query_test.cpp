@@ -82,7 +82,7 @@ void expect_as_oracle(const Frame& frame, const oracle::Surface& surface, const 
 
 // A million points in all.
 TEST(SurfaceQuery, HeightsNormalsAndJacobiansMatchTheOracleFromCalmToStorm) {
-    const std::size_t points_a_sea = is_sanitized ? 1000 : 65000;
+    const std::size_t points_per_sea = is_sanitized ? 1000 : 65000;
     unsigned seed = 0;
     std::size_t all = 0;
     for (const std::string name : {"calm", "moderate", "rough", "storm"}) {
@@ -97,12 +97,12 @@ TEST(SurfaceQuery, HeightsNormalsAndJacobiansMatchTheOracleFromCalmToStorm) {
             const Frame& frame = ocean->frame_at(3.7 * seed);
             Worst worst;
             expect_as_oracle(frame, oracle::Surface(frame, sea.patch_size_m),
-                             random_points(points_a_sea, 2 * sea.patch_size_m, seed), worst);
+                             random_points(points_per_sea, 2 * sea.patch_size_m, seed), worst);
             EXPECT_LE(worst.normal, 1e-3);
             EXPECT_LE(worst.jacobian, 1e-3);
             EXPECT_LE(worst.error_m, 1e-4) << "a 64th of the tolerance is the aim";
             RecordProperty(name + std::to_string(choppiness), std::to_string(worst.height_m));
-            all += points_a_sea;
+            all += points_per_sea;
         }
     }
     EXPECT_GE(all, is_sanitized ? 0u : 1'000'000u);

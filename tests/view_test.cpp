@@ -69,9 +69,9 @@ class Display {
         const std::string ppm = shell("DISPLAY=" + name_ + " xwd -root -silent | xwdtopnm 2>/dev/null");
         constexpr std::size_t values = 800 * 600 * 3;
         // Some versions of netpbm write two bytes a value, the high byte first.
-        const std::size_t bytes_a_value = ppm.size() > 2 * values ? 2 : 1;
+        const std::size_t bytes_per_value = ppm.size() > 2 * values ? 2 : 1;
         std::string rgb(values, 0);
-        for (std::size_t i = 0; i < values; ++i) rgb[i] = ppm.at(ppm.size() - (values - i) * bytes_a_value);
+        for (std::size_t i = 0; i < values; ++i) rgb[i] = ppm.at(ppm.size() - (values - i) * bytes_per_value);
         return rgb;
     }
 

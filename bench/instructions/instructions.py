@@ -200,7 +200,7 @@ def store_bytes(program, isa):
         rows.append({"sea": sea, "cache_bytes": cache_bytes, "read": round(moved[0], 1),
                      "for_writing": round(moved[1], 1), "written": round(moved[2], 1)})
         text = ",\n".join("    " + json.dumps(row) for row in rows)
-        BYTES.write_text(f'{{\n  "isa": {json.dumps(isa)},\n  "bytes_a_texel": [\n{text}\n  ]\n}}\n')
+        BYTES.write_text(f'{{\n  "isa": {json.dumps(isa)},\n  "bytes_per_texel": [\n{text}\n  ]\n}}\n')
     print(f"wrote {BYTES}")
 
 

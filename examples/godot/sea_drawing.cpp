@@ -21,7 +21,7 @@ constexpr std::int64_t texture_2d = 0, texture_2d_array = 3, mipmaps = 1, repeat
 constexpr int format_rgba8 = 5, format_rgbaf = 11, format_rgbah = 15;
 constexpr std::int64_t perspective = 0, orthogonal = 1, keep_width = 0;
 
-constexpr std::size_t floats_an_instance = 12 + 4 + 4;  // transform, colour, custom data
+constexpr std::size_t floats_per_instance = 12 + 4 + 4;  // transform, colour, custom data
 
 const Method texture_create("VisualServer", "texture_create"), texture_allocate("VisualServer", "texture_allocate"),
     texture_set_data("VisualServer", "texture_set_data"), mesh_create("VisualServer", "mesh_create"),
@@ -236,7 +236,7 @@ void SeaDrawing::add_instance(Batch& batch, float x, float y, float z, std::arra
 }
 
 void SeaDrawing::show(Batch& batch, bool is_visible) {
-    const std::size_t count = batch.floats.size() / floats_an_instance;
+    const std::size_t count = batch.floats.size() / floats_per_instance;
     instance_set_visible.on(server_, batch.instance, is_visible && count > 0);
     if (count == 0) return;
     if (count > batch.room) {
@@ -244,7 +244,7 @@ void SeaDrawing::show(Batch& batch, bool is_visible) {
         multimesh_allocate.on(server_, batch.multimesh, static_cast<std::int64_t>(batch.room), transform_3d,
                               color_float, custom_float);
     }
-    batch.floats.resize(batch.room * floats_an_instance);  // the engine requires all instances
+    batch.floats.resize(batch.room * floats_per_instance);  // the engine requires all instances
     const Pool<float> floats(batch.floats);
     multimesh_set_bulk.on(server_, batch.multimesh, floats.array());
     multimesh_set_visible.on(server_, batch.multimesh, static_cast<std::int64_t>(count));

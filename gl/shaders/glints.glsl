@@ -16,7 +16,7 @@
 // as of random waves with the wave number k (Longuet-Higgins 1960, "Reflection and refraction at a
 // random moving surface"). Waves of 22 mm are close to the slowest; shorter ones are damped.
 const float glint_wave_m = 0.022;
-const float glints_a_m2 = 3.63 / (glint_wave_m * glint_wave_m);
+const float glints_per_m2 = 3.63 / (glint_wave_m * glint_wave_m);
 const int glint_cells = 4;
 const vec2 glint_cell_at[glint_cells] = vec2[](vec2(-0.167, 0.5), vec2(0.5, 0.167), vec2(0.167, -0.5), vec2(-0.5, -0.167));
 const float glint_facets = 16.0;  // four in each cell
@@ -42,8 +42,8 @@ float counted_glints(vec2 at, vec2 dx, vec2 dy, float mean) {
     float count = 0.0, sum = 0.0;
     for (int i = 0; i < glint_cells; ++i) {
         int level = int(whole) - (fine - whole < 0.25 * (float(i) + 0.5) ? 1 : 0);
-        float cells_a_m = uintBitsToFloat(uint(127 - level) << 23u);
-        ivec2 cell = ivec2(floor((place + dx * glint_cell_at[i].x + dy * glint_cell_at[i].y) * cells_a_m)) +
+        float cells_per_m = uintBitsToFloat(uint(127 - level) << 23u);
+        ivec2 cell = ivec2(floor((place + dx * glint_cell_at[i].x + dy * glint_cell_at[i].y) * cells_per_m)) +
                      (ivec2(glint_place.zw) << (6 - level));
         vec4 thresholds = glint_thresholds(cell, level);
         count += dot(clamp((probability - thresholds) * 256.0 + 0.5, 0.0, 1.0), vec4(1.0));
@@ -59,7 +59,7 @@ float counted_glints(vec2 at, vec2 dx, vec2 dy, float mean) {
 // the footprint. With many glints in a pixel the smooth distribution remains.
 float sparkling_glint(vec2 at, vec2 dx, vec2 dy, vec3 normal, vec3 to_eye, float alpha2) {
     float smooth_glint = glint(normal, to_eye, alpha2);
-    float most = glints_a_m2 * abs(dx.x * dy.y - dx.y * dy.x);
+    float most = glints_per_m2 * abs(dx.x * dy.y - dx.y * dy.x);
     if (smooth_glint <= 0.0 || most > 400.0) return smooth_glint;
     float cosine2 = clamp(dot(normal, normalize(sun.xyz + to_eye)), 1e-3, 1.0);
     cosine2 *= cosine2;

@@ -58,8 +58,8 @@ vec4 scene_along(vec3 at, vec3 towards, float spread) {
     if (clip.w - scene_ahead(on_screen) > thickness) return vec4(0.0);
     vec2 size = vec2(textureSize(scene_radiance, 0));
     highp mat4 m = clip_from_viewer[0];
-    float pixels_a_metre = 0.5 * size.y * length(vec3(m[0].y, m[1].y, m[2].y)) / clip.w;
-    vec4 seen = textureLod(scene_radiance, 0.5 + 0.5 * on_screen, log2(max(spread * behind * pixels_a_metre, 1.0)));
+    float pixels_per_metre = 0.5 * size.y * length(vec3(m[0].y, m[1].y, m[2].y)) / clip.w;
+    vec4 seen = textureLod(scene_radiance, 0.5 + 0.5 * on_screen, log2(max(spread * behind * pixels_per_metre, 1.0)));
     vec2 to_edge = 1.0 - abs(on_screen);
     float inside = smoothstep(0.0, 0.15, min(to_edge.x, to_edge.y));
     return vec4(seen.rgb / max(seen.a, 1e-4), min(seen.a, 1.0) * inside);

@@ -205,12 +205,12 @@ vec4 layer_of_ripples(int layer, vec2 at, Footprint pixel) {
     vec2 row = detail_turn[layer].xy;
     mat2 turn = mat2(row.x, -row.y, row.y, row.x);
     vec2 uv = turn * at + (layer == 0 ? detail_shift.xy : detail_shift.zw);
-    float tiles_a_m = length(row);
-    float mip = log2(pixel.wide_m * tiles_a_m * 256.0);
+    float tiles_per_m = length(row);
+    float mip = log2(pixel.wide_m * tiles_per_m * 256.0);
 #if SHADING == HIGH
     vec2 noise_uv = turn * at / ripple_noise_tiles + (layer == 0 ? detail_noise.xy : detail_noise.zw);
     Copies copies = copies_along(16.0 * (textureLod(detail, noise_uv, 5.0).z - 0.5));
-    mat2 sides = turn * sides_of(pixel, 1.0 / (256.0 * tiles_a_m), 1.0 / tiles_a_m);
+    mat2 sides = turn * sides_of(pixel, 1.0 / (256.0 * tiles_per_m), 1.0 / tiles_per_m);
     vec4 a = textureLod(detail, uv + copies.first + sides * sample_places[0], mip);
     vec4 b = textureLod(detail, uv + copies.first + sides * sample_places[2], mip);
     vec4 c = textureLod(detail, uv + copies.second + sides * sample_places[1], mip);

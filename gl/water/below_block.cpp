@@ -80,12 +80,12 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
     if (sea.surface == Surface::open) block.lens = lens_of(input);
     const bool is_field = !floor.is_even();
     // Samples are the centres of texels.
-    const glm::dvec2 size = glm::dvec2(floor.columns, floor.rows) * floor.metres_a_texel;
+    const glm::dvec2 size = glm::dvec2(floor.columns, floor.rows) * floor.metres_per_texel;
     const glm::dvec2 corner = floor.corner_m - viewer;
     if (is_field) {
-        const glm::dvec2 place = (-corner + 0.5 * floor.metres_a_texel) / size;
+        const glm::dvec2 place = (-corner + 0.5 * floor.metres_per_texel) / size;
         block.floor_place = {place, 1.0 / size};
-        block.floor_size = {size - floor.metres_a_texel, corner};
+        block.floor_size = {size - floor.metres_per_texel, corner};
     }
     const auto in_sand_tile = [](double at) { return at - std::floor(at / sand_tile_m) * sand_tile_m; };
     const glm::ivec2 cells = floor_cells(floor);

@@ -10,21 +10,21 @@
 namespace pelagic::gl {
 
 double SeaFloor::height_at(double x_m, double z_m) const {
-    return bilinear_sample(heights_m, columns, rows, (x_m - corner_m.x) / metres_a_texel,
-                           (z_m - corner_m.y) / metres_a_texel);
+    return bilinear_sample(heights_m, columns, rows, (x_m - corner_m.x) / metres_per_texel,
+                           (z_m - corner_m.y) / metres_per_texel);
 }
 
 std::string check(const SeaFloor& floor) {
     for (const float channel : {floor.albedo.x, floor.albedo.y, floor.albedo.z})
         if (!(channel >= 0 && channel <= 1)) return invalid_value_message("albedo", channel, "[0, 1]");
     if (floor.is_even() && floor.rows == 0) return {};
-    const std::string sides = "2 to " + std::to_string(SeaFloor::max_samples_a_side) + ", or 0 for an even floor";
-    if (floor.columns < 2 || floor.columns > SeaFloor::max_samples_a_side)
+    const std::string sides = "2 to " + std::to_string(SeaFloor::max_samples_per_side) + ", or 0 for an even floor";
+    if (floor.columns < 2 || floor.columns > SeaFloor::max_samples_per_side)
         return invalid_value_message("columns", floor.columns, sides);
-    if (floor.rows < 2 || floor.rows > SeaFloor::max_samples_a_side)
+    if (floor.rows < 2 || floor.rows > SeaFloor::max_samples_per_side)
         return invalid_value_message("rows", floor.rows, sides);
-    if (!(floor.metres_a_texel >= 0.001 && floor.metres_a_texel <= 1e4))
-        return invalid_value_message("metres_a_texel", floor.metres_a_texel, "[0.001, 10000]");
+    if (!(floor.metres_per_texel >= 0.001 && floor.metres_per_texel <= 1e4))
+        return invalid_value_message("metres_per_texel", floor.metres_per_texel, "[0.001, 10000]");
     if (floor.heights_m.size() != static_cast<std::size_t>(floor.columns) * floor.rows)
         return invalid_value_message("heights_m.size()", floor.heights_m.size(), "columns * rows");
     for (const float height : floor.heights_m)
@@ -38,7 +38,7 @@ SeaFloor floor_of(const ShoreOptions& shore) {
             .rows = shore.rows,
             .heights_m = shore.heights_m,
             .corner_m = {shore.corner_x_m, shore.corner_z_m},
-            .metres_a_texel = shore.metres_a_sample};
+            .metres_per_texel = shore.metres_per_sample};
 }
 
 FloorTexels texels_of(const SeaFloor& floor) {

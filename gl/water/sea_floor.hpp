@@ -13,7 +13,7 @@
 namespace pelagic::gl {
 
 struct SeaFloor {
-    static constexpr int max_samples_a_side = 4096;
+    static constexpr int max_samples_per_side = 4096;
 
     /// Samples along x and z, each 2 to 4096. 0 selects an even floor at the depth of the sea.
     int columns = 0, rows = 0;
@@ -23,7 +23,7 @@ struct SeaFloor {
     glm::dvec2 corner_m{};  ///< world x and z of sample (0, 0)
     /// Distance between neighbouring samples, metres; [0.001, 10000]. Beyond its edges the floor
     /// keeps the height of the nearest edge.
-    double metres_a_texel = 1;
+    double metres_per_texel = 1;
     /// Sand has ripples and is darker where it is wet. If false, the albedo is uniform.
     bool is_sand = true;
     glm::vec3 albedo{0.35f, 0.31f, 0.25f};  ///< albedo if is_sand is false; [0, 1] per channel

@@ -102,12 +102,12 @@ class ShoreOptions:
 
     heights_m: ArrayLike
     """Heights of the floor above still water, (rows, columns), 2 to 4096 each, in [-11000, 9000].
-    Element [j, i] is at x = corner_x_m + i metres_a_sample, z = corner_z_m + j metres_a_sample."""
+    Element [j, i] is at x = corner_x_m + i metres_per_sample, z = corner_z_m + j metres_per_sample."""
     corner_x_m: float = 0.0
     """Position of element [0, 0]; [-1e8, 1e8]."""
     corner_z_m: float = 0.0
     """Position of element [0, 0]; [-1e8, 1e8]."""
-    metres_a_sample: float = 1.0
+    metres_per_sample: float = 1.0
     """Distance between elements; [0.001, 10000]."""
     resolution: int = 256
     """Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024."""

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t chunk_texels = 256;
 
 /// Rows in a job. One row takes as long as all columns of a spectral cascade.
-constexpr std::size_t pond_rows_a_job = 4;
+constexpr std::size_t pond_rows_per_job = 4;
 
 /// Outputs of the kernel for one chunk of a row. Computing heights only takes half the time.
 struct RowChunk {
@@ -64,7 +64,7 @@ Pond::Pond(FrameSlots& slots, std::size_t cascade, Isa isa)
 FilledBy Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
     const StageId filled = graph.add({.name = stage_name(pass == Pass::tick ? "tick octaves" : "octaves", cascade_),
                                       .count = static_cast<std::size_t>(resolution_),
-                                      .batch = pond_rows_a_job,
+                                      .batch = pond_rows_per_job,
                                       .waits_for = waits_for,
                                       .body = for_each_item([this, pass](std::size_t row) { fill_row(pass, row); }),
                                       .stack_bytes = stack_margin});

@@ -16,7 +16,7 @@ namespace pelagic {
 namespace {
 
 /// Texels that a job adds, for any resolution; the rows of its fields are on the stack.
-constexpr std::size_t texels_a_job = 2048;
+constexpr std::size_t texels_per_job = 2048;
 constexpr double largest_slopes = 100;
 
 /// Upper bound of the five-texel derivative divided by the true one (SlopesJob's weights).
@@ -24,7 +24,7 @@ constexpr double overstated = 1.22;
 
 /// Rows of dx, height and dz, or of their derivatives, before they are added.
 struct Rows {
-    alignas(64) std::array<std::array<float, texels_a_job>, input_fields> fields;
+    alignas(64) std::array<std::array<float, texels_per_job>, input_fields> fields;
 };
 
 /// Stack of a job; the margin covers the inputs' own functions, whose stack is unknown.
@@ -60,9 +60,9 @@ WaveInputs::WaveInputs(List inputs, FrameSlots& slots, Isa isa)
     bounds_.resize(slots.cascade_count() * jobs());
 }
 
-std::size_t WaveInputs::rows_a_job() const {
+std::size_t WaveInputs::rows_per_job() const {
     const auto n = static_cast<std::size_t>(slots_.resolution());
-    return std::min(n, texels_a_job / n);
+    return std::min(n, texels_per_job / n);
 }
 
 FilledBy WaveInputs::add_cascade_stages(JobGraph& graph, Pass pass, std::size_t cascade, FilledBy filled) {
@@ -110,7 +110,7 @@ void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
 
 void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
     if (adds_[pass][cascade] == 0) return;
-    const std::size_t n = static_cast<std::size_t>(slots_.resolution()), row_count = rows_a_job();
+    const std::size_t n = static_cast<std::size_t>(slots_.resolution()), row_count = rows_per_job();
     const std::size_t first_row = job * row_count, texels = row_count * n;
     const bool with_velocities = slots_.contents().velocities && pass == Pass::frame;
     CascadeBuffers& buffers = slots_.buffers(cascade);

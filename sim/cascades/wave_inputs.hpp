@@ -34,8 +34,8 @@ class WaveInputs final : public FramePart {
     /// slopes.
     void begin_cascade(Pass pass, std::size_t cascade, Cascade& at);
     FrameBounds bounds(std::size_t cascade) const;
-    std::size_t rows_a_job() const;
-    std::size_t jobs() const { return static_cast<std::size_t>(slots_.resolution()) / rows_a_job(); }
+    std::size_t rows_per_job() const;
+    std::size_t jobs() const { return static_cast<std::size_t>(slots_.resolution()) / rows_per_job(); }
     void add_rows(Pass pass, std::size_t cascade, std::size_t job);
 
     FrameSlots& slots_;

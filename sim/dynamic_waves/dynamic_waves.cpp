@@ -69,7 +69,7 @@ struct DynamicWaves::State {
         for (Slot& slot : slots) slot.allocate(n * n, n, resources.memory);
         const auto add_show_stage = [&](JobGraph& graph, std::vector<StageId> waits_for) {
             graph.add({.name = "dynamic waves show",
-                       .count = n / DynamicWaveGrid::rows_an_item,
+                       .count = n / DynamicWaveGrid::rows_per_item,
                        .waits_for = std::move(waits_for),
                        .body = for_each_item([this](std::size_t item) { show_rows(item); })});
         };

@@ -114,7 +114,7 @@ void DynamicWaveGrid::lay_border() {
 }
 
 StageId DynamicWaveGrid::add_tick_stages(JobGraph& graph, const std::vector<StageId>& waits_for) {
-    const std::size_t row_jobs = n() / rows_an_item;
+    const std::size_t row_jobs = n() / rows_per_item;
     const StageId prepared = graph.add({.name = "dynamic waves splashes",
                                         .count = row_jobs,
                                         .waits_for = waits_for,
@@ -129,7 +129,7 @@ StageId DynamicWaveGrid::add_tick_stages(JobGraph& graph, const std::vector<Stag
 
 StageId DynamicWaveGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
     return graph.add({.name = "dynamic waves verlet",
-                      .count = n() / rows_an_item,
+                      .count = n() / rows_per_item,
                       .waits_for = {prepared},
                       .body = for_each_item([this](std::size_t job) {
                           const double courant = courant_number(options_);
@@ -137,8 +137,8 @@ StageId DynamicWaveGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
                           kernels_.verlet_rows({.now = first_texel(height_),
                                                 .before = first_texel(1 - height_),
                                                 .resolution = n(),
-                                                .first_row = job * rows_an_item,
-                                                .rows = rows_an_item,
+                                                .first_row = job * rows_per_item,
+                                                .rows = rows_per_item,
                                                 .coupling = static_cast<float>(courant * courant * attenuation),
                                                 .damping = static_cast<float>(attenuation * attenuation)});
                       })});
@@ -224,9 +224,9 @@ void DynamicWaveGrid::end_tick() {
 }
 
 void DynamicWaveGrid::prepare_rows(std::size_t job) {
-    const std::size_t first = job * rows_an_item;
+    const std::size_t first = job * rows_per_item;
     // Without the margins of rows, which neighbouring jobs also read.
-    for (std::size_t z = first; z < first + rows_an_item; ++z) {
+    for (std::size_t z = first; z < first + rows_per_item; ++z) {
         const std::size_t row = dynamic_row_margin + z * dynamic_row_stride(n());
         const float* const now = planes_[height_].data() + row;
         float *const before = tick_before_.data() + row, *const change = difference_before_.data() + row;
@@ -240,16 +240,16 @@ void DynamicWaveGrid::prepare_rows(std::size_t job) {
         kernels_.damp_rows({.planes = {first_texel(0), first_texel(1)},
                             .resolution = n(),
                             .first_row = first,
-                            .rows = rows_an_item,
+                            .rows = rows_per_item,
                             .border = border()});
-    sources_.push_rows(placement_, first, rows_an_item,
+    sources_.push_rows(placement_, first, rows_per_item,
                        {first_texel(height_), verlets_other(height_), tick_before_.data() + dynamic_row_margin});
     if (is_verlet) repeat_ends(height_, first);
 }
 
 void DynamicWaveGrid::finish_rows(std::size_t job) {
-    const std::size_t first = job * rows_an_item, plane = stepped_plane();
-    sources_.lift_rows(placement_, first, rows_an_item,
+    const std::size_t first = job * rows_per_item, plane = stepped_plane();
+    sources_.lift_rows(placement_, first, rows_per_item,
                        {first_texel(plane), verlets_other(plane), tick_before_.data() + dynamic_row_margin});
     foam_rows(first);
 }
@@ -261,17 +261,17 @@ void DynamicWaveGrid::foam_rows(std::size_t first_row) {
         {.heights = first_texel(stepped_plane()),
          .resolution = n(),
          .first_row = first_row,
-         .rows = rows_an_item,
+         .rows = rows_per_item,
          .threshold = threshold,
          .scale = 255 / threshold,
          .fade = static_cast<int>((ticks_ + 1) * foam_fade_per_s / rate - ticks_ * foam_fade_per_s / rate),
          .foam = foam_.data(),
          .has_foam = has_foam_.data()});
-    sources_.foam_rows(placement_, first_row, rows_an_item, threshold, {foam_.data(), has_foam_.data()});
+    sources_.foam_rows(placement_, first_row, rows_per_item, threshold, {foam_.data(), has_foam_.data()});
 }
 
 void DynamicWaveGrid::repeat_ends(std::size_t plane, std::size_t first_row) {
-    for (std::size_t z = first_row; z < first_row + rows_an_item; ++z) {
+    for (std::size_t z = first_row; z < first_row + rows_per_item; ++z) {
         float* const row = first_texel(plane) + z * dynamic_row_stride(n());
         row[-1] = row[n() - 1];
         row[n()] = row[0];
@@ -279,13 +279,13 @@ void DynamicWaveGrid::repeat_ends(std::size_t plane, std::size_t first_row) {
 }
 
 void DynamicWaveGrid::show(float fraction, std::size_t item, const Shown& to) const {
-    const std::size_t first = item * rows_an_item;
+    const std::size_t first = item * rows_per_item;
     kernels_.interpolate_ticks({.before = tick_before_.data() + dynamic_row_margin,
                                 .now = first_texel(height_),
                                 .difference_before = difference_before_.data() + dynamic_row_margin,
                                 .resolution = n(),
                                 .first_row = first,
-                                .rows = rows_an_item,
+                                .rows = rows_per_item,
                                 .fraction = fraction,
                                 .ticks_per_s = static_cast<float>(options_.ticks_per_s),
                                 .shown_x = shown_[0].data(),
@@ -294,7 +294,7 @@ void DynamicWaveGrid::show(float fraction, std::size_t item, const Shown& to) co
                                 .vertical_velocity = to.vertical_velocity_mps,
                                 .lowest = to.lowest_m,
                                 .highest = to.highest_m});
-    std::copy_n(foam_.data() + first * n(), rows_an_item * n(), to.foam + first * n());
+    std::copy_n(foam_.data() + first * n(), rows_per_item * n(), to.foam + first * n());
 }
 
 std::vector<std::uint8_t> DynamicWaveGrid::saved() const {

@@ -81,7 +81,7 @@ class DynamicWaveGrid {
     /// \param to  receives rows of N floats and bytes, and the extremes of each row's heights
     ///
     /// Items may run concurrently. \pre no tick is in flight
-    static constexpr std::size_t rows_an_item = 16;
+    static constexpr std::size_t rows_per_item = 16;
     struct Shown {
         float *height_m, *vertical_velocity_mps;
         std::uint8_t* foam;

@@ -13,7 +13,7 @@ struct DriftTexels {
 };
 
 /// Returns the drift in a loop, rounded to whole texels, so that foam repeats with the loop.
-DriftTexels drift_a_loop(const SeaStatistics& statistics, const CascadeGrid& grid, int resolution,
-                         const TickClock& clock);
+DriftTexels drift_per_loop(const SeaStatistics& statistics, const CascadeGrid& grid, int resolution,
+                           const TickClock& clock);
 
 }  // namespace pelagic

@@ -19,7 +19,7 @@ FoamReport report_on_foam(const Frame& frame) {
     const TickClock clock(frame.sea.loop_period_s);
     const SeaStatistics& statistics = frame.statistics;
     FoamReport report{.tick_s = clock.tick_s(),
-                      .ticks_a_loop = clock.ticks_a_loop(),
+                      .ticks_per_loop = clock.ticks_per_loop(),
                       .warm_up_ticks = TickClock::kept_ticks,
                       .fade_s = (TickClock::kept_ticks - 1) * clock.tick_s(),
                       .level = statistics.foam_level,
@@ -28,11 +28,11 @@ FoamReport report_on_foam(const Frame& frame) {
                       .whitecap_cover = whitecap_cover(frame.sea),
                       .cascades = {}};
     for (const Cascade& cascade : frame.cascades) {
-        const DriftTexels loop = drift_a_loop(statistics, cascade.grid, cascade.resolution(), clock);
+        const DriftTexels loop = drift_per_loop(statistics, cascade.grid, cascade.resolution(), clock);
         report.cascades.push_back(
             {.makes_whitecaps = cascade.makes_whitecaps(),
-             .columns_a_loop = loop.x,
-             .rows_a_loop = loop.z,
+             .columns_per_loop = loop.x,
+             .rows_per_loop = loop.z,
              .drift_mps = length(loop.x, loop.z) * cascade.texel_m() / frame.sea.loop_period_s});
     }
     return report;

@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-constexpr std::size_t snapshot_rows_a_job = 16;
+constexpr std::size_t snapshot_rows_per_job = 16;
 // Two rows of floats and one of bytes at the largest resolution.
 constexpr std::size_t snapshot_stack_bytes = 3 * 4 * SnapshotJob::max_resolution + stack_margin;
 
@@ -27,7 +27,7 @@ struct AxisShift {
 
 /// \param loop  texels in a loop, of either sign
 AxisShift shift_at(int loop, const TickClock& clock, std::int64_t number, int resolution) {
-    const std::int64_t ticks = clock.ticks_a_loop(), moved = std::int64_t{loop} * clock.in_loop(number);
+    const std::int64_t ticks = clock.ticks_per_loop(), moved = std::int64_t{loop} * clock.in_loop(number);
     const std::int64_t whole = (moved >= 0 ? moved : moved - (ticks - 1)) / ticks;
     return {static_cast<std::size_t>(whole) & static_cast<std::size_t>(resolution - 1),
             static_cast<double>(moved - whole * ticks) / static_cast<double>(ticks)};
@@ -81,7 +81,7 @@ FoamSnapshots::FoamSnapshots(FrameSlots& slots, const Kernels& kernels)
 
 std::vector<StageId> FoamSnapshots::add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done) {
     std::vector<StageId> read;
-    const std::size_t jobs = static_cast<std::size_t>(slots_.resolution()) / snapshot_rows_a_job;
+    const std::size_t jobs = static_cast<std::size_t>(slots_.resolution()) / snapshot_rows_per_job;
     for (std::size_t cascade = 0; cascade < surfaces_done.size(); ++cascade) {
         read.push_back(
             graph.add({.name = stage_name("tick compression", cascade),
@@ -129,18 +129,18 @@ void FoamSnapshots::compress_rows(std::size_t cascade, std::size_t job) {
     if (!from.is_there) return;
     const int n = slots_.resolution();
     const PresentCompression bytes = bytes_of_compression(from.scale);
-    kernels_.compression({.surface = slots_.surface(cascade),
-                          .resolution = static_cast<std::size_t>(n),
-                          .block_stride = column_block_floats(n, kernels_.lanes),
-                          .cosine = static_cast<float>(from.grid.cosine),
-                          .sine = static_cast<float>(from.grid.sine),
-                          .far_over_near = static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight),
-                          .factor = static_cast<float>(double{bytes.factor} * SlopesJob::near_weight /
-                                                       (from.grid.side_m / n)),
-                          .offset = bytes.offset,
-                          .first_row = job * snapshot_rows_a_job,
-                          .rows = snapshot_rows_a_job,
-                          .out = cascades_[cascade].compression.data()});
+    kernels_.compression(
+        {.surface = slots_.surface(cascade),
+         .resolution = static_cast<std::size_t>(n),
+         .block_stride = column_block_floats(n, kernels_.lanes),
+         .cosine = static_cast<float>(from.grid.cosine),
+         .sine = static_cast<float>(from.grid.sine),
+         .far_over_near = static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight),
+         .factor = static_cast<float>(double{bytes.factor} * SlopesJob::near_weight / (from.grid.side_m / n)),
+         .offset = bytes.offset,
+         .first_row = job * snapshot_rows_per_job,
+         .rows = snapshot_rows_per_job,
+         .out = cascades_[cascade].compression.data()});
 }
 
 void FoamSnapshots::store_rows(std::size_t cascade, std::size_t job) {
@@ -152,8 +152,8 @@ void FoamSnapshots::store_rows(std::size_t cascade, std::size_t job) {
                      .shift_z = to.shift_z,
                      .weights_x = {},
                      .weights_z = {},
-                     .first_row = job * snapshot_rows_a_job,
-                     .rows = snapshot_rows_a_job,
+                     .first_row = job * snapshot_rows_per_job,
+                     .rows = snapshot_rows_per_job,
                      .byte = static_cast<std::uint32_t>(to.slot % 4),
                      .before = to.before,
                      .after = to.image().chains[to.image().current].data()};
@@ -183,7 +183,7 @@ void FoamSnapshots::show(const TickClock& clock, const TickPlace& time) {
         Cascade& cascade = slots_.cascade(i);
         const CascadeSnapshots& from = cascades_[i];
         const auto shift = [&](int loop) {
-            const double texels = loop * ((clock.in_loop(time.number) + since) / clock.ticks_a_loop());
+            const double texels = loop * ((clock.in_loop(time.number) + since) / clock.ticks_per_loop());
             return texels - std::floor(texels / slots_.resolution()) * slots_.resolution();
         };
         cascade.drift_columns = shift(from.drift.x);

@@ -37,9 +37,9 @@ class FoamSnapshots {
 
     /// Sets the weight and the drift in a loop of the cascade's foam, for ticks and frames from now
     /// on. A cascade of weight 0 has no snapshots.
-    void set_sea(std::size_t cascade, double weight, const DriftTexels& drift_a_loop) {
+    void set_sea(std::size_t cascade, double weight, const DriftTexels& drift_per_loop) {
         cascades_[cascade].is_there = weight > 0;
-        cascades_[cascade].drift = drift_a_loop;
+        cascades_[cascade].drift = drift_per_loop;
     }
     /// Prepares the cascade's snapshot of tick `number` for the next run of the stages. Images that
     /// the application's frame shows are not overwritten. \pre no run is in flight

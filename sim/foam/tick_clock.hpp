@@ -22,7 +22,7 @@ class TickClock {
 
     explicit TickClock(double loop_period_s);
 
-    int ticks_a_loop() const { return ticks_; }
+    int ticks_per_loop() const { return ticks_; }
     double tick_s() const { return loop_period_s_ / ticks_; }
 
     /// Converts a time to ticks. Times that differ by a whole number of loops have identical
@@ -32,7 +32,7 @@ class TickClock {
     /// Returns the time of the corresponding tick in the first loop, at which the waves are
     /// identical.
     double time_in_loop_s(std::int64_t number) const;
-    /// Returns a tick's number in its loop, 0 to ticks_a_loop() - 1.
+    /// Returns a tick's number in its loop, 0 to ticks_per_loop() - 1.
     int in_loop(std::int64_t number) const;
 
    private:

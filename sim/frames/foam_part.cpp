@@ -76,7 +76,7 @@ void FoamPart::set_drift(const PassMoment& at) {
     const SeaStatistics statistics = weather_.statistics_at({.before = sea, .after = sea});
     for (std::size_t cascade = 0; cascade < at.cascades.size(); ++cascade)
         snapshots_.set_sea(cascade, weather_.foam_weight(cascade),
-                           drift_a_loop(statistics, at.cascades[cascade].grid, slots_.resolution(), clock()));
+                           drift_per_loop(statistics, at.cascades[cascade].grid, slots_.resolution(), clock()));
     drift_sea_ = sea;
     forget();
 }

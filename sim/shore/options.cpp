@@ -22,14 +22,14 @@ namespace {
 constexpr double lowest_ground_m = -11000, highest_ground_m = 9000;
 
 /// Wavelength in texels at which 97 % of the height remains in the middle between four texels.
-constexpr double shore_texels_a_wave = 8;
+constexpr double shore_texels_per_wave = 8;
 
 constexpr std::array shore_field_table = {
-    NumericField<ShoreOptions>{"columns", &ShoreOptions::columns, 2, ShoreOptions::max_samples_a_side, "2 to 4096"},
-    NumericField<ShoreOptions>{"rows", &ShoreOptions::rows, 2, ShoreOptions::max_samples_a_side, "2 to 4096"},
+    NumericField<ShoreOptions>{"columns", &ShoreOptions::columns, 2, ShoreOptions::max_samples_per_side, "2 to 4096"},
+    NumericField<ShoreOptions>{"rows", &ShoreOptions::rows, 2, ShoreOptions::max_samples_per_side, "2 to 4096"},
     NumericField<ShoreOptions>{"corner_x_m", &ShoreOptions::corner_x_m, -1e8, 1e8, "[-1e8, 1e8]"},
     NumericField<ShoreOptions>{"corner_z_m", &ShoreOptions::corner_z_m, -1e8, 1e8, "[-1e8, 1e8]"},
-    NumericField<ShoreOptions>{"metres_a_sample", &ShoreOptions::metres_a_sample, 0.001, 10000, "[0.001, 10000]"},
+    NumericField<ShoreOptions>{"metres_per_sample", &ShoreOptions::metres_per_sample, 0.001, 10000, "[0.001, 10000]"},
     NumericField<ShoreOptions>{"resolution", &ShoreOptions::resolution, 64, 1024, "64, 128, 256, 512 or 1024",
                                Among::powers_of_two},
     NumericField<ShoreOptions>{"fade_m", &ShoreOptions::fade_m, 0, 1e8, "[0, half the field's shorter side]"},
@@ -49,7 +49,7 @@ std::string check(const ShoreOptions& options) {
     for (const float height : options.heights_m)
         if (!(static_cast<double>(height) >= lowest_ground_m && static_cast<double>(height) <= highest_ground_m))
             return invalid_value_message("heights_m", height, "[-11000, 9000]");
-    const double shorter_m = (std::min(options.columns, options.rows) - 1) * options.metres_a_sample;
+    const double shorter_m = (std::min(options.columns, options.rows) - 1) * options.metres_per_sample;
     if (options.fade_m > shorter_m / 2)
         return invalid_value_message("fade_m", options.fade_m,
                                      "at most half the field's shorter side, " + number_text(shorter_m / 2));
@@ -74,11 +74,11 @@ std::string warning_about(const ShoreOptions& options, const SeaState& sea) {
     if (waves.empty()) return {};
     const double texel_m = SeaBed(options).texel_m;
     const double shortest_m = two_pi / wave_number(waves.back().omega, sea.depth_m);
-    if (!(shortest_m < shore_texels_a_wave * texel_m)) return {};
+    if (!(shortest_m < shore_texels_per_wave * texel_m)) return {};
     const auto metres = [](double m) { return number_text(std::floor(10 * m + 0.5) / 10) + " m"; };
     return "texels of " + metres(texel_m) + " are coarse for the shore's shortest long waves, " + metres(shortest_m) +
            ", which lose more than 3 % of their height between texels; texels of " +
-           metres(std::floor(10 * shortest_m / shore_texels_a_wave) / 10) + " do not";
+           metres(std::floor(10 * shortest_m / shore_texels_per_wave) / 10) + " do not";
 }
 
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {

@@ -17,17 +17,17 @@ int rounded_up(double texels) {
 }  // namespace
 
 SeaBed::SeaBed(const ShoreOptions& options) : x_m(options.corner_x_m), z_m(options.corner_z_m) {
-    const double wide_m = (options.columns - 1) * options.metres_a_sample;
-    const double deep_m = (options.rows - 1) * options.metres_a_sample;
+    const double wide_m = (options.columns - 1) * options.metres_per_sample;
+    const double deep_m = (options.rows - 1) * options.metres_per_sample;
     texel_m = std::max(wide_m, deep_m) / (options.resolution - 1);
     columns = wide_m >= deep_m ? options.resolution : rounded_up(wide_m / texel_m + 1);
     rows = deep_m >= wide_m ? options.resolution : rounded_up(deep_m / texel_m + 1);
-    const double samples_a_texel = texel_m / options.metres_a_sample;
+    const double samples_per_texel = texel_m / options.metres_per_sample;
     depth_m.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
             depth_m[at(i, j)] = 0 - bilinear_sample(options.heights_m, options.columns, options.rows,
-                                                    i * samples_a_texel, j * samples_a_texel);
+                                                    i * samples_per_texel, j * samples_per_texel);
 
     // On a full grid, the least-squares slopes along x and z are independent.
     double along_x = 0, along_z = 0, squares_x = 0, squares_z = 0;

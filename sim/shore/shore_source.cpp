@@ -13,7 +13,7 @@ namespace pelagic {
 namespace {
 
 constexpr std::size_t group_texels = ShoreRowsJob::group_texels;
-constexpr std::size_t groups_an_item = 64;
+constexpr std::size_t groups_per_item = 64;
 
 // Upper bound of the directions for which the shelter of short waves is computed. They are those of
 // long waves with adjacent frequencies, which travel in different directions.
@@ -202,7 +202,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
         swash_texels_ += static_cast<int>(std::min(2 * swash_m_ / (slope * bed_.texel_m), 1.0 * bed_.columns));
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
         highest_envelope_.data()[texel] = static_cast<float>(std::max(highest_on_sand_m(texel), min_envelope_m));
-    const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
+    const std::size_t items = (has_waves_.size() + groups_per_item - 1) / groups_per_item;
     for (Slot& slot : slots_) {
         slot.allocate(bed_.texels(), items, memory);
         slot.potential = AlignedBuffer<float>(bed_.texels(), memory);
@@ -504,7 +504,7 @@ void ShoreSource::begin(const PassMoment& at) {
 
 void ShoreSource::rows(std::size_t item) {
     Slot& slot = slots_.back();
-    const std::size_t first = item * groups_an_item;
+    const std::size_t first = item * groups_per_item;
     kernels_.shore_rows({.waves = amplitudes_.data(),
                          .moments = moments_.data(),
                          .wave_count = waves_.size(),
@@ -513,7 +513,7 @@ void ShoreSource::rows(std::size_t item) {
                          .breaking_envelope = breaking_envelope_.data(),
                          .sharpness = sharpness_.data(),
                          .first_group = first,
-                         .groups = std::min(groups_an_item, has_waves_.size() - first),
+                         .groups = std::min(groups_per_item, has_waves_.size() - first),
                          .height = slot.height.data(),
                          .vertical_velocity = slot.vertical_velocity.data(),
                          .potential = slot.potential.data(),

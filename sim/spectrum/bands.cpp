@@ -23,8 +23,8 @@ constexpr double min_side_m = 1, max_side_m = 1e5;
 
 /// Smallest number of texels per wavelength, and distance of a cascade's longest waves from k = 0
 /// in grid steps. The distance ensures enough directions.
-constexpr double band_texels_a_wave = 3;
-constexpr double steps_a_band = 6;
+constexpr double band_texels_per_wave = 3;
+constexpr double steps_per_band = 6;
 
 /// Smallest ratio of the sides of consecutive cascades.
 constexpr double min_ratio = 1.5;
@@ -38,7 +38,7 @@ constexpr double max_of_slopes = 0.9;
 
 /// Rotation between consecutive grids in turns: the golden ratio times a quarter turn, so that no
 /// two grids are aligned.
-constexpr double rotation_a_cascade = 0.25 * 0.6180339887498949;
+constexpr double rotation_per_cascade = 0.25 * 0.6180339887498949;
 
 /// Rounds a side to two significant digits. \param up  round up
 double short_number(double value, bool up) {
@@ -92,10 +92,10 @@ std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach,
     const double coarsest_m = std::clamp(
         short_number(std::clamp(peak_waves * reach.peak_m, min_side_m, max_side_m), false), min_side_m, max_side_m);
 
-    const double widest = n / (band_texels_a_wave * steps_a_band);
+    const double widest = n / (band_texels_per_wave * steps_per_band);
     double ratio = widest;
     if (count > 1) {
-        const double finest_m = two_pi / reach.end_k * n / band_texels_a_wave;
+        const double finest_m = two_pi / reach.end_k * n / band_texels_per_wave;
         const double wanted = det::pow(std::max(1.0, coarsest_m / finest_m), 1.0 / (count - 1));
         ratio = std::clamp(wanted, min_ratio, widest);
     }
@@ -103,8 +103,8 @@ std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach,
     std::vector<CascadePlan> cascades;
     double side_m = coarsest_m, min_k = 0;
     for (int number = 0; number < count; ++number) {
-        const det::SineCosine turn = det::sine_cosine_of_turns(rotation_a_cascade * number);
-        const double max_k = two_pi * n / (band_texels_a_wave * side_m);
+        const det::SineCosine turn = det::sine_cosine_of_turns(rotation_per_cascade * number);
+        const double max_k = two_pi * n / (band_texels_per_wave * side_m);
         cascades.push_back({.grid = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
                             .resolution = n,
                             .number = number,
@@ -139,7 +139,7 @@ double CascadePlan::foam_weight() const {
     constexpr double full_weight_m = 5.7;
     if (min_k >= two_pi || number > 2) return 0;
     const double longest_m = min_k > 0 ? two_pi / min_k : grid.side_m;
-    const double shortest_m = band_texels_a_wave * grid.side_m / resolution;
+    const double shortest_m = band_texels_per_wave * grid.side_m / resolution;
     return environment.result(std::min(1.0, std::sqrt(std::sqrt(longest_m * shortest_m) / full_weight_m)));
 }
 

@@ -69,7 +69,7 @@ void SurfaceStages::add_bands_to(JobGraph& graph, StageId lines_done, TransformC
     };
     const StageId textures_done = graph.add({.name = stage_name("columns+textures", cascade_),
                                              .count = bands.groups(),
-                                             .batch = bands.groups_a_band(),
+                                             .batch = bands.groups_per_band(),
                                              .waits_for = {edges_done},
                                              .body = process,
                                              .stack_bytes = std::max(slopes_stack_bytes, transform_bytes)});

@@ -19,13 +19,13 @@ constexpr std::size_t strip_texels = 32768;
 TextureBands::TextureBands(int resolution, std::size_t lanes)
     : pairs_a_group_(partner_distance / lanes),
       groups_(static_cast<std::size_t>(resolution) / group_columns),
-      groups_a_band_((resolution < 512 ? 128 : 256) / group_columns),
+      groups_per_band_((resolution < 512 ? 128 : 256) / group_columns),
       groups_a_strip_(std::clamp(strip_texels / static_cast<std::size_t>(resolution) / group_columns, std::size_t{1},
-                                 groups_a_band_)) {}
+                                 groups_per_band_)) {}
 
 std::size_t TextureBands::edge_pair(std::size_t edge) const {
-    const std::size_t first_group = edge / 2 * groups_a_band_;
-    return edge % 2 == 0 ? first_group * pairs_a_group_ : (first_group + groups_a_band_) * pairs_a_group_ - 1;
+    const std::size_t first_group = edge / 2 * groups_per_band_;
+    return edge % 2 == 0 ? first_group * pairs_a_group_ : (first_group + groups_per_band_) * pairs_a_group_ - 1;
 }
 
 void TextureBands::process(std::size_t begin, std::size_t end, const TransformColumns& transform,

@@ -30,9 +30,9 @@ class TextureBands {
     static bool are_worthwhile(int resolution) { return resolution == 256 || resolution == 512; }
 
     std::size_t groups() const { return groups_; }
-    std::size_t groups_a_band() const { return groups_a_band_; }
+    std::size_t groups_per_band() const { return groups_per_band_; }
     /// Returns the number of pairs of blocks at the limits of bands.
-    std::size_t edges() const { return 2 * groups_ / groups_a_band_; }
+    std::size_t edges() const { return 2 * groups_ / groups_per_band_; }
     /// Returns the number of the pair at a limit. \param edge  in [0, edges())
     std::size_t edge_pair(std::size_t edge) const;
 
@@ -42,7 +42,7 @@ class TextureBands {
                  const std::function<void(const TextureStrip&)>& make) const;
 
    private:
-    std::size_t pairs_a_group_, groups_, groups_a_band_, groups_a_strip_;
+    std::size_t pairs_a_group_, groups_, groups_per_band_, groups_a_strip_;
 };
 
 }  // namespace pelagic

@@ -383,7 +383,7 @@ class pelagic_shore_options(ctypes.Structure):
         ("heights_m", POINTER(c_float)),
         ("corner_x_m", c_double),
         ("corner_z_m", c_double),
-        ("metres_a_sample", c_double),
+        ("metres_per_sample", c_double),
         ("fade_m", c_double),
         ("swash_m", c_double),
     ]

@@ -102,9 +102,9 @@ scene.view_layers[0].use_pass_vector = scene.use_nodes = True
 layers, composite = scene.node_tree.nodes["Render Layers"], scene.node_tree.nodes["Composite"]
 scene.node_tree.links.new(layers.outputs["Vector"], composite.inputs["Image"])
 back = render("vectors")[0]
-pixels_a_frame = 10 / 24 * side / size
+pixels_per_frame = 10 / 24 * side / size
 for axis, velocity in ((0, told[0]["vx"]), (1, -told[0]["vz"])):
-    share = -numpy.polyfit(velocity * pixels_a_frame, back[:, :, axis].ravel(), 1)[0]
+    share = -numpy.polyfit(velocity * pixels_per_frame, back[:, :, axis].ravel(), 1)[0]
     print(f"vectors are {share:.3f} of the water's velocity")
     assert 0.94 < share < 1.03, "faces smooth waves, but not so much"
 print("render_test passed")

@@ -173,11 +173,11 @@ pelagic_shore_options any_shore(Bytes& bytes, std::array<float, 64>& heights) {
     shore.columns = kind % 9;
     shore.rows = kind / 9 % 9;
     shore.heights_m = kind > 250 ? nullptr : heights.data();
-    shore.metres_a_sample = 20;
+    shore.metres_per_sample = 20;
     change(
         bytes, shore,
         {&pelagic_shore_options::corner_x_m, &pelagic_shore_options::corner_z_m,
-         &pelagic_shore_options::metres_a_sample, &pelagic_shore_options::fade_m, &pelagic_shore_options::swash_m});
+         &pelagic_shore_options::metres_per_sample, &pelagic_shore_options::fade_m, &pelagic_shore_options::swash_m});
     return shore;
 }
 

@@ -31,5 +31,5 @@ def properties_of(rows, width_m):
     """Returns the node's properties for an image of this width around the origin."""
     columns, count = len(rows[0]), len(rows)
     metres = width_m / columns
-    return {"shore_columns": columns, "shore_rows": count, "shore_metres_a_sample": metres,
+    return {"shore_columns": columns, "shore_rows": count, "shore_metres_per_sample": metres,
             "shore_corner_x_m": -0.5 * metres * (columns - 1), "shore_corner_z_m": -0.5 * metres * (count - 1)}

@@ -15,7 +15,7 @@ here = Path(__file__).parent
 # The scene of tests/golden_values_test.cpp: a beach with an island in front of it.
 sea = {"cascades": 3, "resolution": 32, "wind_speed_mps": 8, "loop_period_s": 40, "velocities": True,
        "dynamic_waves": True, "dynamic_waves_resolution": 64, "dynamic_waves_border_m": 8}
-shore = {"shore_columns": 81, "shore_rows": 61, "shore_metres_a_sample": 5, "shore_corner_x_m": -170, "shore_corner_z_m": -130,
+shore = {"shore_columns": 81, "shore_rows": 61, "shore_metres_per_sample": 5, "shore_corner_x_m": -170, "shore_corner_z_m": -130,
          "shore_resolution": 64}
 heights_m = [-12 + x * 0.035 + 16 / (1 + squared * squared) for z in range(0, 305, 5) for x in range(0, 405, 5)
              for squared in [((x - 150) * (x - 150) + (z - 120) * (z - 120)) / 1600]]

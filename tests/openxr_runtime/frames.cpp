@@ -71,8 +71,8 @@ void record_layer(const Session& session, const XrCompositionLayerProjection& la
 }  // namespace
 
 XrTime display_time(std::uint32_t n) {
-    constexpr XrTime start = 5'000'000'000'000, steps_a_second = 72, second = 1'000'000'000;
-    return start + static_cast<XrTime>(n) * second / steps_a_second;
+    constexpr XrTime start = 5'000'000'000'000, steps_per_second = 72, second = 1'000'000'000;
+    return start + static_cast<XrTime>(n) * second / steps_per_second;
 }
 
 XrResult WaitFrame(XrSession handle, const XrFrameWaitInfo*, XrFrameState* state) {

@@ -22,7 +22,7 @@ def bay():
     z, x = 5.0 * np.mgrid[:61, :81]
     squared = ((x - 150) ** 2 + (z - 120) ** 2) / 1600
     heights_m = (-12 + x * 0.035 + 16 / (1 + squared * squared)).astype(np.float32)
-    return pelagic.ShoreOptions(heights_m, metres_a_sample=5, corner_x_m=-170, corner_z_m=-130, resolution=64)
+    return pelagic.ShoreOptions(heights_m, metres_per_sample=5, corner_x_m=-170, corner_z_m=-130, resolution=64)
 
 
 def golden_rows(kind):

@@ -190,7 +190,7 @@ def test_invalid_values_raise_a_one_line_error(small):
         "border_m is 20, expected at most a quarter of side_m, 16": (ValueError, lambda: pelagic.DynamicWavesOptions(border_m=20)),
         "step is euler, expected spectral or verlet": (ValueError, lambda: pelagic.DynamicWavesOptions(step="euler")),
         "seed is -1, expected a whole number from 0 to 4294967295": (ValueError, lambda: pelagic.Rain(seed=-1)),
-        "metres_a_sample 0 is out of range [0.001, 10000]": (ValueError, lambda: pelagic.ShoreOptions(heights, metres_a_sample=0)),
+        "metres_per_sample 0 is out of range [0.001, 10000]": (ValueError, lambda: pelagic.ShoreOptions(heights, metres_per_sample=0)),
         "rows is 1, expected 2 to 4096": (ValueError, lambda: pelagic.ShoreOptions(heights[:1])),
         "heights_m.ndim is 1, expected 2: an array of (rows, columns)": (ValueError, lambda: pelagic.ShoreOptions(heights[0])),
         "heights_m nan is out of range [-11000, 9000]": (ValueError, lambda: pelagic.ShoreOptions(heights + np.nan)),

@@ -157,7 +157,7 @@ public static unsafe class GoldenTests
 
     private static ShoreOptions Bay()
     {
-        var shore = new ShoreOptions { Columns = 81, Rows = 61, MetresASample = 5, CornerXM = -170, CornerZM = -130, Resolution = 64 };
+        var shore = new ShoreOptions { Columns = 81, Rows = 61, MetresPerSample = 5, CornerXM = -170, CornerZM = -130, Resolution = 64 };
         shore.HeightsM = new float[81 * 61];
         for (var j = 0; j < 61; ++j)
             for (var i = 0; i < 81; ++i)

@@ -22,7 +22,7 @@ export function bay() {
       const x = 5 * i, fromX = x - 150, fromZ = 5 * j - 120, squared = (fromX * fromX + fromZ * fromZ) / 1600;
       heightsM.push(-12 + x * 0.035 + 16 / (1 + squared * squared));
     }
-  return { heightsM, columns, rows, metresASample: 5, cornerXM: -170, cornerZM: -130, resolution: 64 };
+  return { heightsM, columns, rows, metresPerSample: 5, cornerXM: -170, cornerZM: -130, resolution: 64 };
 }
 
 const bitsOf = (array) => Array.from(array, (word) => word.toString(16).padStart(8, '0'));

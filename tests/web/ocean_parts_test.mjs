@@ -183,7 +183,7 @@ test('an invalid option is rejected by one line that names it, its value and wha
     [{ shore: { ...square, rows: 2.5 } }, 'shore.rows is 2.5, expected 2 to 4096'],
     [{ shore: { ...square, rows: 3 } }, "shore.heightsM' size is 16, expected 12, columns times rows"],
     [{ shore: { ...square, heightsM: [...heightsM.slice(1), NaN] } }, 'shore.heightsM nan is out of range [-11000, 9000]'],
-    [{ shore: { ...square, metresASample: 0 } }, 'shore.metresASample 0 is out of range [0.001, 10000]'],
+    [{ shore: { ...square, metresPerSample: 0 } }, 'shore.metresPerSample 0 is out of range [0.001, 10000]'],
     [{ shore: square, cascades: 1 }, /^Error: cascades is 1, expected 2 to 4 where there is a shore/],
     [{ inputs: 3 }, 'inputs is 3, expected an array'],
     [{ inputs: [3] }, 'inputs[0] is 3, expected {waves, choppiness} or {ripple}'],

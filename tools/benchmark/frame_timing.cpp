@@ -142,7 +142,9 @@ class TimedSea {
                           .jobs = {},
                           .memory_bytes = ocean_->memory_bytes(),
                           .upload_bytes = texture_bytes(ocean_->complete())};
-        const auto gb_per_s = [&](double bytes_a_texel, double ms) { return bytes_a_texel * texels() / (ms * 1e6); };
+        const auto gb_per_s = [&](double bytes_per_texel, double ms) {
+            return bytes_per_texel * texels() / (ms * 1e6);
+        };
         const FrameShape shape{frame.cascades, frame.resolution, ocean_->complete().cascades[0].height.block_columns};
         double frame_bytes = 0;
         for (const std::string& job : jobs_of(ocean_->graph())) frame_bytes += work_of(job, shape).bytes;

@@ -16,21 +16,21 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t bytes_a_kib = 1024, bytes_a_mib = 1024 * bytes_a_kib;
+constexpr std::size_t bytes_per_kib = 1024, bytes_per_mib = 1024 * bytes_per_kib;
 
 /// Larger caches are shared by many cores, and a copy in this size is no faster or slower.
-constexpr std::size_t max_bytes_in_cache = 32 * bytes_a_mib;
-constexpr std::size_t max_bytes_in_memory = 512 * bytes_a_mib;
+constexpr std::size_t max_bytes_in_cache = 32 * bytes_per_mib;
+constexpr std::size_t max_bytes_in_memory = 512 * bytes_per_mib;
 
 /// Parts of a copy. The C library copies larger parts with stores that bypass the cache, which
 /// frames do not use.
-constexpr std::size_t copy_part_bytes = bytes_a_kib;
+constexpr std::size_t copy_part_bytes = bytes_per_kib;
 
 /// Returns the maximum speed of copies between the halves of a buffer.
 double copy_gb_per_s(std::size_t bytes) {
     std::vector<char> buffer(bytes, 1);
     const std::size_t half = bytes / 2 / copy_part_bytes * copy_part_bytes;
-    const std::size_t copies = std::max<std::size_t>(1, bytes_a_mib / half);
+    const std::size_t copies = std::max<std::size_t>(1, bytes_per_mib / half);
     double best = 0;
     const Clock::time_point begin = Clock::now();
     do {
@@ -48,8 +48,8 @@ double copy_gb_per_s(std::size_t bytes) {
 
 std::string size_text(std::size_t bytes) {
     if (bytes == 0) return "-";
-    return bytes < bytes_a_mib ? number_text(bytes / bytes_a_kib) + " KiB"
-                               : number_text(bytes / bytes_a_mib) + " MiB";
+    return bytes < bytes_per_mib ? number_text(bytes / bytes_per_kib) + " KiB"
+                                 : number_text(bytes / bytes_per_mib) + " MiB";
 }
 
 /// Returns the level that takes longest; null if the sea has not been counted.
@@ -76,12 +76,12 @@ std::vector<MemoryLevel> measure_memory_levels() {
 
 std::vector<CountedBytes> read_counted_bytes(const std::string& option, const std::string& file) {
     constexpr const char* accepted = "a file of counts as bench/bytes.json";
-    constexpr std::size_t max_bytes = bytes_a_mib;
+    constexpr std::size_t max_bytes = bytes_per_mib;
     const std::string text = InputFile(option, file, accepted).read_all(max_bytes);
     std::vector<CountedBytes> counts;
     try {
         const auto json = nlohmann::json::parse(text);
-        for (const auto& row : json.at("bytes_a_texel"))
+        for (const auto& row : json.at("bytes_per_texel"))
             counts.push_back({row.at("sea"), row.at("cache_bytes"),
                               row.at("read").get<double>() + row.at("for_writing").get<double>() +
                                   row.at("written").get<double>()});
@@ -102,7 +102,7 @@ std::vector<MovedBytes> moved_bytes(const FrameTiming& frame, const std::vector<
                 (!counted || one.cache_bytes >= counted->cache_bytes))
                 counted = &one;
         if (!counted) return {};
-        const double bytes = counted->bytes_a_texel * texels, ms = bytes / (levels[i].copy_gb_per_s * 1e6);
+        const double bytes = counted->bytes_per_texel * texels, ms = bytes / (levels[i].copy_gb_per_s * 1e6);
         moved.push_back({&levels[i], bytes, ms, ms / frame.ms.median});
     }
     return moved;

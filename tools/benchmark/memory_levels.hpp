@@ -35,7 +35,7 @@ struct MovedBytes {
 struct CountedBytes {
     std::string sea;  ///< such as "1x256" or "4x128"
     std::size_t cache_bytes;
-    double bytes_a_texel;
+    double bytes_per_texel;
 };
 
 /// Reads counts by bench/instructions/instructions.py. Throws InputError.

@@ -251,8 +251,8 @@ Json foam_for_people(Json foam) {
     for (const Json& cascade : cascades) {
         const std::string row = "drift of " + rounded_text(cascade.at("side_m").get<double>(), 4) + " m";
         if (cascade.at("makes_whitecaps").get<bool>())
-            foam[row] = {{"columns_a_loop", cascade.at("columns_a_loop")},
-                         {"rows_a_loop", cascade.at("rows_a_loop")},
+            foam[row] = {{"columns_per_loop", cascade.at("columns_per_loop")},
+                         {"rows_per_loop", cascade.at("rows_per_loop")},
                          {"drift_mps", cascade.at("drift_mps")}};
         else
             foam[row] = "makes no whitecaps";

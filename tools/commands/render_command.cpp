@@ -42,7 +42,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr int samples_a_pixel = 4;
+constexpr int samples_per_pixel = 4;
 /// Texels along an edge of a face of the sky's cube map. A texel is 0.18 degrees wide, about three
 /// pixels of an image of default size.
 constexpr int sky_face_size = 512;
@@ -92,7 +92,7 @@ class OfflineRenderer {
                                                   .slopes = true,
                                                   .foam = true,
                                                   .shore = options.scene.shore}),
-          target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel,
+          target_(context_.functions(), options.scene.width, options.scene.height, samples_per_pixel,
                   options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
           pass_(context_.functions(),
                 {.resolution = ocean_.resolution(),
@@ -188,7 +188,7 @@ class OfflineRenderer {
                      {"frames", sea_ms_.size()},
                      {"views", views},
                      {"sea_draw_calls", last.sea_calls},
-                     {"sea_draw_calls_a_view", last.sea_calls / views},
+                     {"sea_draw_calls_per_view", last.sea_calls / views},
                      {"sky_draw_calls", last.sky_calls},
                      {"triangles", last.triangles},
                      {"patches", pass_.selection().list().instances.size()},
@@ -392,7 +392,7 @@ void print_render_summary(const RenderOptions& options, const Json& json, std::s
     std::printf("%s: %zu %s%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
                 escaped(json["file"].get<std::string>()).c_str(), frames, options.is_film() ? "frame" : "image",
                 frames == 1 ? "" : "s", options.scene.width, options.scene.height,
-                statistics["sea_draw_calls_a_view"].get<int>(),
+                statistics["sea_draw_calls_per_view"].get<int>(),
                 static_cast<unsigned long long>(statistics["triangles"].get<std::uint64_t>()),
                 statistics["renderer"].get<std::string>().c_str());
 }

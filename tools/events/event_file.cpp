@@ -20,7 +20,7 @@ namespace pelagic::tools {
 namespace {
 
 constexpr const char* a_file = "a CSV file whose first line names time,x,z,radius,height";
-constexpr double radians_a_degree = std::numbers::pi / 180;
+constexpr double radians_per_degree = std::numbers::pi / 180;
 
 enum class Column { time, x, z, radius, height, velocity, heading, duration, length, mode, hull };
 
@@ -174,7 +174,7 @@ class EventReader {
             push.shape = Disturbance::Shape::hull;
         else
             push.length_m = push.radius_m;
-        push.heading_rad = heading_deg * radians_a_degree;
+        push.heading_rad = heading_deg * radians_per_degree;
         const det::SineCosine heading = det::sine_cosine_of_turns(heading_deg / 360);
         push.velocity_x_mps = velocity_mps * heading.cosine;
         push.velocity_z_mps = velocity_mps * heading.sine;

@@ -173,8 +173,8 @@ MapPreview preview_of(const MapImage& map, int side) {
 }
 
 // Layout of the sheet, in pixels.
-constexpr int cells_a_row = 4, cell_side = 444, margin = 24, line_height = 28;
-constexpr int sheet_width = cells_a_row * (cell_side + margin) + margin;
+constexpr int cells_per_row = 4, cell_side = 444, margin = 24, line_height = 28;
+constexpr int sheet_width = cells_per_row * (cell_side + margin) + margin;
 constexpr int small_text = 2, large_text = 4;
 constexpr Colour paper = {24, 28, 32}, ink = {232, 236, 240}, pale_ink = {150, 160, 170};
 
@@ -189,7 +189,7 @@ std::string bytes_text(double bytes) {
 /// Expected size of the export.
 struct Expected {
     std::size_t files = 0;  ///< including sea.json and the record
-    double bytes = 0, bytes_a_frame = 0;
+    double bytes = 0, bytes_per_frame = 0;
 };
 
 /// Estimates the size of the export from one frame.
@@ -198,25 +198,25 @@ Expected expected_of(const ExportOptions& options, const Frame& frame) {
     const int number = options.times.number(0);
     const std::vector<ImageFile> images = image_files(options, number);
     for (const ImageFile& image : images)
-        expected.bytes_a_frame += static_cast<double>(encode_image_file(image, frame, number, options).size());
-    const double image_bytes = expected.bytes_a_frame;
+        expected.bytes_per_frame += static_cast<double>(encode_image_file(image, frame, number, options).size());
+    const double image_bytes = expected.bytes_per_frame;
     const std::vector<MeshFile> meshes = mesh_files(options, number);
     for (const MeshFile& mesh : meshes)
-        expected.bytes_a_frame +=
+        expected.bytes_per_frame +=
             static_cast<double>(encode_mesh_file(mesh.format, exported_mesh(frame, options)).size());
     expected.files = (images.size() + meshes.size()) * options.times.count() + 2 + (options.events ? 1 : 0);
     if (options.flipbook) {
         expected.files += options.maps.maps.size() * frame.cascades.size() + 1;
-        expected.bytes_a_frame += image_bytes;
+        expected.bytes_per_frame += image_bytes;
     }
     for (const auto& sequence : mesh_sequences(options)) {
         sequence->add(0, frame);
         for (const SequenceOutput::File& file : sequence->finish()) {
-            expected.bytes_a_frame += static_cast<double>(file.bytes.size());
+            expected.bytes_per_frame += static_cast<double>(file.bytes.size());
             ++expected.files;
         }
     }
-    expected.bytes = expected.bytes_a_frame * static_cast<double>(options.times.count());
+    expected.bytes = expected.bytes_per_frame * static_cast<double>(options.times.count());
     return expected;
 }
 
@@ -241,7 +241,7 @@ std::string times_text(const FrameTimes& times) {
 
 std::string expected_text(const Expected& expected) {
     return number_text(expected.files) + " files, about " + bytes_text(expected.bytes) + ": " +
-           bytes_text(expected.bytes_a_frame) + " a frame";
+           bytes_text(expected.bytes_per_frame) + " a frame";
 }
 
 /// An image of a map of a cascade, with the lines of text below it.
@@ -282,7 +282,7 @@ std::vector<Cell> cells_of(const ExportOptions& options, const Frame& frame) {
 RgbaImage sheet_of(const std::vector<std::string>& titles, const std::vector<Cell>& cells) {
     constexpr int texts_height = 4 * line_height + margin;
     const int head = margin + 2 * line_height + static_cast<int>(titles.size() - 1) * line_height;
-    const int rows = (static_cast<int>(cells.size()) + cells_a_row - 1) / cells_a_row;
+    const int rows = (static_cast<int>(cells.size()) + cells_per_row - 1) / cells_per_row;
     RgbaImage sheet(sheet_width, head + rows * (cell_side + texts_height), paper);
     int y = margin;
     for (const std::string& title : titles) {
@@ -291,7 +291,7 @@ RgbaImage sheet_of(const std::vector<std::string>& titles, const std::vector<Cel
         y += is_first ? 2 * line_height : line_height;
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        const int row = static_cast<int>(i) / cells_a_row, column = static_cast<int>(i) % cells_a_row;
+        const int row = static_cast<int>(i) / cells_per_row, column = static_cast<int>(i) % cells_per_row;
         const int left = margin + column * (cell_side + margin);
         const int top = head + row * (cell_side + texts_height);
         sheet.paste(left, top, cells[i].image);

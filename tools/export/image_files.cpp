@@ -60,9 +60,9 @@ std::vector<ImageFile> cascade_files(const ExportOptions& options, int frame) {
         for (const MapKind map : options.maps.maps) {
             if (is_of_patch(map, options.maps)) continue;
             const int levels = stored_levels(options, map);
-            const int levels_a_part = has_levels_within(options, map) ? levels : 1;
-            for (int level = 0; level < levels; level += levels_a_part)
-                parts.push_back({.map = map, .cascade = cascade, .first_level = level, .levels = levels_a_part});
+            const int levels_per_part = has_levels_within(options, map) ? levels : 1;
+            for (int level = 0; level < levels; level += levels_per_part)
+                parts.push_back({.map = map, .cascade = cascade, .first_level = level, .levels = levels_per_part});
         }
     if (options.maps.pack != Pack::files && !parts.empty())
         return {{.name = packed_name(options.maps, frame), .parts = parts}};

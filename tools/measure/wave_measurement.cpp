@@ -19,7 +19,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t max_points_a_side = 16;
+constexpr std::size_t max_points_per_side = 16;
 constexpr std::size_t max_pairs = 8;
 constexpr std::size_t min_frames = 16;  ///< minimum for a frequency spectrum
 constexpr double band_ratio = 1.08;
@@ -83,10 +83,10 @@ std::vector<SpectrumPoint> in_bands(const std::vector<double>& density, double s
 
 WaveMeasurement::WaveMeasurement(const HeightSeries& series)
     : series_(series),
-      points_a_side_(std::min(max_points_a_side, static_cast<std::size_t>(series.cascade.resolution))),
+      points_per_side_(std::min(max_points_per_side, static_cast<std::size_t>(series.cascade.resolution))),
       rings_(static_cast<std::size_t>(series.cascade.resolution)) {
     if (series.frames >= min_frames) {
-        at_points_.resize(points_a_side_ * points_a_side_);
+        at_points_.resize(points_per_side_ * points_per_side_);
         for (auto& point : at_points_) point.reserve(series.frames);
     }
     if (series.frames == 1) {
@@ -120,8 +120,8 @@ void WaveMeasurement::add_frame(std::span<const float> heights_m) {
     variances_ += std::max(0.0, squares / static_cast<double>(heights_m.size()) - mean * mean);
 
     for (std::size_t p = 0; p < at_points_.size(); ++p) {
-        const std::size_t stride = n / points_a_side_;
-        at_points_[p].push_back(heights_m[p / points_a_side_ * stride * n + p % points_a_side_ * stride]);
+        const std::size_t stride = n / points_per_side_;
+        at_points_[p].push_back(heights_m[p / points_per_side_ * stride * n + p % points_per_side_ * stride]);
     }
     for (Pair& pair : pairs_) {
         if (added_ == pair.first) pair.heights_of_first.assign(heights_m.begin(), heights_m.end());

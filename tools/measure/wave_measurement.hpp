@@ -91,7 +91,7 @@ class WaveMeasurement {
     HeightSeries series_;
     std::size_t added_ = 0;
     double variances_ = 0;
-    std::size_t points_a_side_;
+    std::size_t points_per_side_;
     std::vector<std::vector<float>> at_points_;  ///< [point][frame]
     std::vector<Pair> pairs_;
     std::size_t spectra_ = 0;  ///< number of pairs summed in rings_

@@ -58,7 +58,7 @@ ShoreOptions read_heights(const std::string& file, const std::string& extension)
         if (extension == "exr") require_few_channels(read_exr_header(data).channels);
         image_codec().measure(image, data);
         require_few_channels(static_cast<std::size_t>(image.channels));
-        constexpr int max = ShoreOptions::max_samples_a_side;
+        constexpr int max = ShoreOptions::max_samples_per_side;
         if (image.width < 2 || image.width > max || image.height < 2 || image.height > max)
             throw std::runtime_error("it has " + number_text(image.width) + " x " + number_text(image.height) +
                                      " pixels");
@@ -136,9 +136,9 @@ ShoreOptions FloorFlags::read_field() const {
     if (!(low < high) || high > 9000) throw bad_value("--floor-heights", *heights_, two_heights);
 
     ShoreOptions field = read_heights(*file_, extension);
-    field.metres_a_sample = size_m / field.columns;
-    field.corner_x_m = x - 0.5 * field.metres_a_sample * (field.columns - 1);
-    field.corner_z_m = z - 0.5 * field.metres_a_sample * (field.rows - 1);
+    field.metres_per_sample = size_m / field.columns;
+    field.corner_x_m = x - 0.5 * field.metres_per_sample * (field.columns - 1);
+    field.corner_z_m = z - 0.5 * field.metres_per_sample * (field.rows - 1);
     if (extension == "png")
         for (float& height : field.heights_m) height = static_cast<float>(low + height * (high - low));
     if (const std::string reason = check(field); !reason.empty())

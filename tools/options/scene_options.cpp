@@ -16,14 +16,14 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr int max_pixels_a_side = 8192;
+constexpr int max_pixels_per_side = 8192;
 
 void read_size(SceneOptions& options, const std::string& text) {
     const std::size_t x = text.find('x');
     const auto side = [&](std::string_view digits) {
         const std::int64_t pixels = parse_integer(digits).value_or(0);
-        if (pixels < 16 || pixels > max_pixels_a_side)
-            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + number_text(max_pixels_a_side));
+        if (pixels < 16 || pixels > max_pixels_per_side)
+            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + number_text(max_pixels_per_side));
         return static_cast<int>(pixels);
     };
     options.width = side(std::string_view(text).substr(0, x));

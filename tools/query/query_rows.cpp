@@ -14,7 +14,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::size_t pieces_a_block = 32;
+constexpr std::size_t pieces_per_block = 32;
 
 /// Maximum length of a row without the file's columns. Memory is reserved in advance, because a job
 /// must not throw. A number has at most 25 characters, its JSON key 12.
@@ -101,9 +101,9 @@ RowWriter::RowWriter(std::shared_ptr<Executor> executor, const SampleBuffers& sa
       interpolation_(interpolation),
       as_json_(as_json),
       has_times_(has_times),
-      pieces_(pieces_a_block),
+      pieces_(pieces_per_block),
       executor_(std::move(executor)) {
-    graph_.add({.name = "rows", .count = pieces_a_block, .body = [this](std::size_t begin, std::size_t end) {
+    graph_.add({.name = "rows", .count = pieces_per_block, .body = [this](std::size_t begin, std::size_t end) {
                     for (std::size_t piece = begin; piece < end; ++piece) fill_piece(piece);
                 }});
     run_ = executor_->prepare(graph_);
@@ -171,8 +171,8 @@ void RowWriter::append_json(std::string& text, std::size_t point, std::vector<st
 
 void RowWriter::fill_piece(std::size_t piece) {
     Piece& out = pieces_[piece];
-    const std::size_t begin = block_->size() * piece / pieces_a_block,
-                      end = block_->size() * (piece + 1) / pieces_a_block;
+    const std::size_t begin = block_->size() * piece / pieces_per_block,
+                      end = block_->size() * (piece + 1) / pieces_per_block;
     for (std::size_t point = begin; point < end; ++point)
         as_json_ ? append_json(out.text, point, out.cells) : append_csv(out.text, point);
 }
@@ -182,9 +182,9 @@ void RowWriter::write(const PointBlock& block, double time_s) {
     time_s_ = time_s;
     std::size_t key_length = 0;
     for (const std::string& key : json_keys_) key_length += key.size() + 2;
-    for (std::size_t piece = 0; piece < pieces_a_block; ++piece) {
-        const std::size_t begin = block.size() * piece / pieces_a_block,
-                          end = block.size() * (piece + 1) / pieces_a_block;
+    for (std::size_t piece = 0; piece < pieces_per_block; ++piece) {
+        const std::size_t begin = block.size() * piece / pieces_per_block,
+                          end = block.size() * (piece + 1) / pieces_per_block;
         const std::size_t own =
             end == begin ? 0 : block.row_ends[end - 1] - (begin == 0 ? 0 : block.row_ends[begin - 1]);
         pieces_[piece].text.clear();

@@ -147,9 +147,9 @@ EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options
 
 std::size_t max_record_bytes(const ExportOptions& options) {
     constexpr std::size_t usual = std::size_t{64} << 20;
-    constexpr std::size_t bytes_a_frame = 1000, bytes_a_file = 200;  // twice the size of an entry
+    constexpr std::size_t bytes_per_frame = 1000, bytes_per_file = 200;  // twice the size of an entry
     const std::size_t files = file_names(options, 0).size();
-    return std::max(usual, options.times.count() * (bytes_a_frame + files * bytes_a_file));
+    return std::max(usual, options.times.count() * (bytes_per_frame + files * bytes_per_file));
 }
 
 OptionDifference first_difference(const ReadJson& earlier, const Json& now) {

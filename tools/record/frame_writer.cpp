@@ -207,13 +207,13 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
 void FrameWriter::write(int number, const Frame& frame) {
     FrameRecord record = statistics_of(number, frame, options_.has_foam());
     if (plan_.frames == 1) {
-        record.files = write_files(options_, folder_, number, frame, plan_.files_a_frame, trace_);
+        record.files = write_files(options_, folder_, number, frame, plan_.files_per_frame, trace_);
         return add(std::move(record));
     }
     while (in_flight_.size() >= plan_.frames) take_oldest();
     const auto copy = std::make_shared<const FrameCopy>(frame);
     in_flight_.push_back(start([this, copy, record = std::move(record)]() mutable {
-        record.files = write_files(options_, folder_, record.frame, copy->frame(), plan_.files_a_frame, trace_);
+        record.files = write_files(options_, folder_, record.frame, copy->frame(), plan_.files_per_frame, trace_);
         return std::move(record);
     }));
 }

@@ -43,7 +43,7 @@ struct WritingPlan {
     /// 1: written directly from the ocean's memory, while the ocean computes the next frame. More:
     /// copies.
     std::size_t frames = 1;
-    std::size_t files_a_frame = 1;
+    std::size_t files_per_frame = 1;
 
     bool operator==(const WritingPlan&) const = default;
 };

@@ -193,13 +193,13 @@ Json foam_as_json(const Frame& frame) {
         const CascadeFoam& cascade = report.cascades[i];
         cascades.push_back({{"side_m", frame.cascades[i].grid.side_m},
                             {"makes_whitecaps", cascade.makes_whitecaps},
-                            {"columns_a_loop", cascade.columns_a_loop},
-                            {"rows_a_loop", cascade.rows_a_loop},
+                            {"columns_per_loop", cascade.columns_per_loop},
+                            {"rows_per_loop", cascade.rows_per_loop},
                             {"drift_mps", cascade.drift_mps}});
     }
     return {{"whitecap_cover", report.whitecap_cover},
             {"tick_s", report.tick_s},
-            {"ticks_a_loop", report.ticks_a_loop},
+            {"ticks_per_loop", report.ticks_per_loop},
             {"warm_up_ticks", report.warm_up_ticks},
             {"level", report.level},
             {"ramp", SnapshotFoam::ramp},

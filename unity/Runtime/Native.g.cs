@@ -60,7 +60,8 @@ namespace Pelagic
     }
 
     /// <summary>Textures that each cascade has or not. DEFAULT depends on the sea and the other options.</summary>
-    public enum Textures {
+    public enum Textures
+    {
         Default = 0,
         On = 1,
         Off = 2,
@@ -643,7 +644,7 @@ namespace Pelagic
         /// <summary>position of sample (0, 0); [-1e8, 1e8]</summary>
         public double CornerZM;
         /// <summary>distance of neighbouring samples; [0.001, 10000]</summary>
-        public double MetresASample;
+        public double MetresPerSample;
         /// <summary>
         /// Width of the strip along the edges over which the coarsest cascade fades; at most half of the
         /// shorter side. 0: an eighth of it.
@@ -659,7 +660,7 @@ namespace Pelagic
             native.resolution = Resolution;
             native.corner_x_m = CornerXM;
             native.corner_z_m = CornerZM;
-            native.metres_a_sample = MetresASample;
+            native.metres_per_sample = MetresPerSample;
             native.fade_m = FadeM;
             native.swash_m = SwashM;
         }
@@ -671,7 +672,7 @@ namespace Pelagic
             Resolution = native.resolution;
             CornerXM = native.corner_x_m;
             CornerZM = native.corner_z_m;
-            MetresASample = native.metres_a_sample;
+            MetresPerSample = native.metres_per_sample;
             FadeM = native.fade_m;
             SwashM = native.swash_m;
         }
@@ -982,7 +983,7 @@ namespace Pelagic
             internal float* heights_m;
             internal double corner_x_m;
             internal double corner_z_m;
-            internal double metres_a_sample;
+            internal double metres_per_sample;
             internal double fade_m;
             internal double swash_m;
         }

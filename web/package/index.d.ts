@@ -198,7 +198,7 @@ export interface Rain {
   seed?: number;
 }
 
-/** A sea floor. Sample (i, j) has the position x = cornerXM + i metresASample, z alike. */
+/** A sea floor. Sample (i, j) has the position x = cornerXM + i metresPerSample, z alike. */
 export interface ShoreOptions {
   /** Heights of the floor above the rest level, metres, [-11000, 9000]; element j columns + i. */
   heightsM: ArrayLike<number>;
@@ -211,7 +211,7 @@ export interface ShoreOptions {
   /** Position of the first sample, metres: [-1e8, 1e8]. Default 0. */
   cornerZM?: number;
   /** Distance of samples, metres: [0.001, 10000]. Default 1. */
-  metresASample?: number;
+  metresPerSample?: number;
   /** Texels along the longer side of Frame.shore: 64, 128, 256, 512 or 1024. Default 256. */
   resolution?: number;
   /**

@@ -127,8 +127,8 @@ def sea_time(settings, scene, frame=None):
     """Returns the sea's time in seconds at a frame, by default the current one and subframe."""
     at = scene.frame_current + scene.frame_subframe if frame is None else frame
     offset = settings.time_offset if frame is None else time_offset_in(settings, frame)
-    frames_a_second = scene.render.fps / typed(scene.render.fps_base)
-    return typed(offset) + (at - settings.first_frame) * typed(settings.speed) / frames_a_second
+    frames_per_second = scene.render.fps / typed(scene.render.fps_base)
+    return typed(offset) + (at - settings.first_frame) * typed(settings.speed) / frames_per_second
 
 
 def time_offset_in(settings, frame):

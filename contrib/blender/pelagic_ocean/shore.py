@@ -8,7 +8,7 @@ from mathutils.bvhtree import BVHTree
 
 from . import library
 
-samples_a_side = 256
+samples_per_side = 256
 
 
 class Floor(typing.NamedTuple):
@@ -22,7 +22,7 @@ class Floor(typing.NamedTuple):
         metres = self.size_m / columns
         x, z = self.middle_m
         return library.pelagic.ShoreOptions(self.heights, corner_x_m=x - 0.5 * metres * (columns - 1),
-                                            corner_z_m=z - 0.5 * metres * (rows - 1), metres_a_sample=metres)
+                                            corner_z_m=z - 0.5 * metres * (rows - 1), metres_per_sample=metres)
 
 
 floors = {}  # by key
@@ -62,7 +62,7 @@ def sampled(vertices, polygons):
     width, length = high[:2] - low[:2]
     if not (width > 0 and length > 0):
         raise ValueError(f"Floor of {width:g} x {length:g} m: must have an area seen from above")
-    columns = samples_a_side if width >= length else max(2, round(samples_a_side * width / length))
+    columns = samples_per_side if width >= length else max(2, round(samples_per_side * width / length))
     metres = width / columns
     rows = max(2, round(length / metres))
     middle = (low + high) / 2

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-min_cells_a_wave = 2.5
-texels_a_wave = 8  # linear interpolation then keeps 95 % of a wave's height
+min_cells_per_wave = 2.5
+texels_per_wave = 8  # linear interpolation then keeps 95 % of a wave's height
 ripple_part = 0.75  # of the mean square slope below the cascades; the rest stays roughness
 shortest_ripple_m = 0.022
 ripple_spread_rad = 0.8  # deviation of directions from +x, the wind's
@@ -34,7 +34,7 @@ class Waves:
         k, shortest = np.hypot(kx, kz), shortest_m
         # The last level holds no wave.
         while shortest < 2 * side_m:
-            n = 1 << max(4, math.ceil(math.log2(texels_a_wave * side_m / shortest)))
+            n = 1 << max(4, math.ceil(math.log2(texels_per_wave * side_m / shortest)))
             kept = np.where((k <= 2 * math.pi / shortest * (1 + 1e-9))[..., None], spectrum, 0)
             self.levels.append(self.resampled(kept, n))
             shortest *= 2
@@ -64,7 +64,7 @@ class Waves:
     def displacement(self, x, z, cell_m):
         """Returns the displacement of waves that cells resolve. Levels are blended, so that no ring
         shows where one ends."""
-        level = min(max(math.log2(min_cells_a_wave * cell_m / self.shortest), 0), len(self.levels) - 1)
+        level = min(max(math.log2(min_cells_per_wave * cell_m / self.shortest), 0), len(self.levels) - 1)
         first = min(int(level), len(self.levels) - 2)
         part = level - first
         finer = self.at_level(first, x, z) * (1 - part) if part < 1 else 0
