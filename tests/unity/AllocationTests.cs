@@ -61,9 +61,8 @@ public static class AllocationTests
         var sea = Sea.Default;
         sea.Resolution = 16;
         sea.Cascades = 1;
-        using (var executor = new Executor(new ExecutorOptions { Kind = ExecutorKind.Serial })) using (
-            var ocean =
-                new Ocean(sea, new OceanOptions { Queries = true, Executor = executor, Slopes = Textures.On }))
+        using (var executor = new Executor(new ExecutorOptions { Kind = ExecutorKind.Serial }))
+        using (var ocean = new Ocean(sea, new OceanOptions { Queries = true, Executor = executor, Slopes = Textures.On }))
             Check.True(Allocated(ocean, () => Kept = new object(), out _) > 8000, "1,000 objects are counted");
     }
 }

@@ -225,12 +225,10 @@ public static unsafe class GoldenTests
         {
             var sea = named.Value;
             sea.LoopPeriodS = 30;
-            using (var waves = WaveInput.Waves(amplitude, wavelength, direction, phase, 0.9)) using (
-                var rings = WaveInput.Rings(new Ripple {
-                    XM = 7.3, ZM = -2.9, WavelengthM = 9, AmplitudeM = 0.5, ReachM = 40
-                })) using (var ocean =
-                               new Ocean(sea, new OceanOptions { Velocities = true, Slopes = Textures.On, Foam = true,
-                                                                 Inputs = new[] { waves, rings } })) {
+            using (var waves = WaveInput.Waves(amplitude, wavelength, direction, phase, 0.9))
+            using (var rings = WaveInput.Rings(new Ripple { XM = 7.3, ZM = -2.9, WavelengthM = 9, AmplitudeM = 0.5, ReachM = 40 }))
+            using (var ocean = new Ocean(sea, new OceanOptions { Velocities = true, Slopes = Textures.On, Foam = true, Inputs = new[] { waves, rings } }))
+            {
                 var found = new List<ulong>();
                 Note(ocean, 4.321, found);
                 rings.SetRings(new Ripple { XM = -3, ZM = 1e6, WavelengthM = 13, AmplitudeM = 0.25, PhaseRad = 1 });
