@@ -26,11 +26,11 @@ constexpr double shortest_wavelength_m = 1e-3;    // shorter ones are invisible
 
 constexpr std::array fields = {
     NumericField<PondSea>{"octaves", &PondSea::octaves, 1, max_analytic_waves, "1 to 64"},
-    NumericField<PondSea>{"height_m", &PondSea::height_m, 0, 10, "(0, 10]", Among::above_min},
+    NumericField<PondSea>{"height_m", &PondSea::height_m, 0, 10, "(0, 10]", Restriction::above_min},
     NumericField<PondSea>{"wavelength_m", &PondSea::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
     NumericField<PondSea>{"direction_rad", &PondSea::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     NumericField<PondSea>{"growth", &PondSea::growth, 1, 4, "[1, 4]"},
-    NumericField<PondSea>{"decay", &PondSea::decay, 0, 1, "(0, 1]", Among::above_min},
+    NumericField<PondSea>{"decay", &PondSea::decay, 0, 1, "(0, 1]", Restriction::above_min},
     NumericField<PondSea>{"drag", &PondSea::drag, 0, 1, "[0, 1]"},
 };
 

@@ -97,7 +97,7 @@ pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s) {
         const std::shared_ptr<pelagic_ocean> ocean = bodies->ocean.lock();
         need_frame(*ocean);
         need_no_frame_in_flight(*ocean);
-        ours.press(*ocean->shown, tick_s);
+        ours.press(*ocean->current, tick_s);
     });
 }
 

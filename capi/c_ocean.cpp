@@ -30,7 +30,7 @@ void QueryFrames::Reader::leave() {
     if (slot_ && --slot_->readers == 0) wake_all(slot_->readers);
 }
 
-void QueryFrames::show(const SurfaceQuery& query) {
+void QueryFrames::set_current(const SurfaceQuery& query) {
     newest_ = 1 - newest_;
     slots_[newest_].query = query;
     current_ = &slots_[newest_];
@@ -46,7 +46,7 @@ void need_no_frame_in_flight(const pelagic_ocean& ocean) {
 }
 
 void need_frame(const pelagic_ocean& ocean) {
-    if (!ocean.shown) throw WrongOrder("there is no frame yet; call pelagic_ocean_complete first");
+    if (!ocean.current) throw WrongOrder("there is no frame yet; call pelagic_ocean_complete first");
 }
 
 std::optional<Isa> isa_of(const char* name) {
@@ -194,9 +194,9 @@ pelagic_cascade c_cascade_of(const Cascade& cascade) {
 }
 
 /// Makes a frame the one that queries, cascade, copy and hash read.
-void show(pelagic_ocean& ocean, const Frame& frame) {
-    ocean.shown = &frame;
-    if (ocean.ocean.contents().queries) ocean.query_frames.show(SurfaceQuery(frame, ocean.query_tolerance_m));
+void set_current(pelagic_ocean& ocean, const Frame& frame) {
+    ocean.current = &frame;
+    if (ocean.ocean.contents().queries) ocean.query_frames.set_current(SurfaceQuery(frame, ocean.query_tolerance_m));
 }
 
 FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
@@ -345,7 +345,7 @@ pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame
         ocean->frame_in_flight = false;  // also if complete() throws
         const Frame& completed = ocean->ocean.complete();
         ocean->has_completed = true;
-        show(*ocean, completed);
+        set_current(*ocean, completed);
         write_struct(c_frame_of(completed), frame);
     });
 }
@@ -354,7 +354,7 @@ pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, 
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
         struct_bytes(cascade, "cascade");
-        const std::span<const Cascade> cascades = ocean->shown->cascades;
+        const std::span<const Cascade> cascades = ocean->current->cascades;
         if (index < 0 || static_cast<std::size_t>(index) >= cascades.size())
             reject(invalid_value_message("index", index,
                                          cascades.size() == 1 ? "0" : "0 to " + number_text(cascades.size() - 1)));
@@ -365,7 +365,7 @@ pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, 
 pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        copy_frame(*ocean->shown, ApplicationBuffers(buffers, "buffers", ocean->shown->cascades.size()).all());
+        copy_frame(*ocean->current, ApplicationBuffers(buffers, "buffers", ocean->current->cascades.size()).all());
     });
 }
 
@@ -385,7 +385,7 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
             all = sea.frame_at(time_s, to.all());
         } else {
             const Frame& frame = sea.frame_at(time_s);
-            show(*ocean, frame);
+            set_current(*ocean, frame);
             copy_frame(frame, to.all());
             all = frame.bounds;
         }
@@ -396,15 +396,16 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
 pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        needed(hash, "hash") = hash_of(*ocean->shown);
+        needed(hash, "hash") = hash_of(*ocean->current);
     });
 }
 
 pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        if (!ocean->shown->has_foam) reject("the ocean has no foam: it was created without pelagic_ocean_options.foam");
-        needed(hash, "hash") = foam_hash_of(*ocean->shown);
+        if (!ocean->current->has_foam)
+            reject("the ocean has no foam: it was created without pelagic_ocean_options.foam");
+        needed(hash, "hash") = foam_hash_of(*ocean->current);
     });
 }
 

@@ -44,7 +44,7 @@ class QueryFrames {
     };
 
     /// Makes a frame the current one. \pre wait_for_old_readers() since the last call
-    void show(const SurfaceQuery& query);
+    void set_current(const SurfaceQuery& query);
 
     /// Waits until no query reads the frame before the current one, so that its memory may be
     /// overwritten.
@@ -72,7 +72,7 @@ struct pelagic_ocean {
     bool frame_in_flight = false;
     bool sea_in_flight = false;
     bool has_completed = false;             ///< by complete(), not only by frame_at()
-    const pelagic::Frame* shown = nullptr;  ///< frame that queries, cascade, copy and hash read
+    const pelagic::Frame* current = nullptr;  ///< frame that queries, cascade, copy and hash read
     mutable pelagic::capi::QueryFrames query_frames;
 };
 

@@ -128,31 +128,32 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
                          swell = report.swell.value_or(WaveSystem{});
         pelagic_statistics all{};
         all.expected_wave_height_m = report.expected.significant_wave_height_m;
-        all.drawn_wave_height_m = report.drawn_significant_wave_height_m;
+        all.realised_wave_height_m = report.realised_significant_wave_height_m;
         all.model_wave_height_m = report.expected.model_significant_wave_height_m.value_or(0);
         all.expected_peak_period_s = report.expected.peak_period_s;
-        all.drawn_peak_period_s = report.drawn_significant_wave_height_m > 0 ? report.drawn_peak_period_s : 0;
+        all.realised_peak_period_s =
+            report.realised_significant_wave_height_m > 0 ? report.realised_peak_period_s : 0;
         all.peak_wavelength_m = report.expected.peak_wavelength_m;
         all.expected_tm01_s = report.expected_periods.tm01_s;
-        all.drawn_tm01_s = report.drawn_periods.tm01_s;
+        all.realised_tm01_s = report.realised_periods.tm01_s;
         all.expected_tm02_s = report.expected_periods.tm02_s;
-        all.drawn_tm02_s = report.drawn_periods.tm02_s;
+        all.realised_tm02_s = report.realised_periods.tm02_s;
         all.expected_direction_rad = report.expected_directions.mean_rad;
-        all.drawn_direction_rad = report.drawn_directions.mean_rad;
+        all.realised_direction_rad = report.realised_directions.mean_rad;
         all.expected_spread_rad = report.expected_directions.spread_rad;
-        all.drawn_spread_rad = report.drawn_directions.spread_rad;
+        all.realised_spread_rad = report.realised_directions.spread_rad;
         for (const CascadeSlopes& cascade : report.cascades) {
             all.slope_variance_along_wind += cascade.slopes.upwind;
             all.slope_variance_across_wind += cascade.slopes.crosswind;
         }
         all.expected_convergence_variance = report.expected_convergence_variance;
-        all.drawn_convergence_variance = report.drawn_convergence_variance;
+        all.realised_convergence_variance = report.realised_convergence_variance;
         all.wind_sea_height_m = wind_sea.significant_wave_height_m;
         all.wind_sea_peak_period_s = wind_sea.peak_period_s;
         all.swell_height_m = swell.significant_wave_height_m;
         all.swell_peak_period_s = swell.peak_period_s;
-        all.drawn_wind_sea_peak_period_s = wind_sea.drawn_peak_period_s;
-        all.drawn_swell_peak_period_s = swell.drawn_peak_period_s;
+        all.realised_wind_sea_peak_period_s = wind_sea.realised_peak_period_s;
+        all.realised_swell_peak_period_s = swell.realised_peak_period_s;
         all.effective_fetch_m = report.effective_fetch_m;
         all.repeats_after_m = repeat_length_m(state);
         write_struct(all, statistics);

@@ -11,8 +11,8 @@ namespace {
 
 const ShoreSurface& shown_shore(const pelagic_ocean& ocean) {
     need_frame(ocean);
-    if (!ocean.shown->shore) reject("the ocean has no shore: it was created without pelagic_ocean_options.shore");
-    return ocean.shown->shore;
+    if (!ocean.current->shore) reject("the ocean has no shore: it was created without pelagic_ocean_options.shore");
+    return ocean.current->shore;
 }
 
 }  // namespace
@@ -81,6 +81,6 @@ pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_sur
 pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
         shown_shore(needed(ocean, "ocean"));
-        needed(hash, "hash") = shore_hash_of(*ocean->shown);
+        needed(hash, "hash") = shore_hash_of(*ocean->current);
     });
 }

@@ -48,7 +48,7 @@ pelagic_input_rows c_rows_of(const InputRows& rows) {
     out.time_s = moment.time_s;
     out.loop_period_s = moment.loop_period_s;
     out.loop_turns = moment.loop_turns;
-    out.is_tick = moment.place == 0 ? 0 : 1;
+    out.is_tick = moment.pass_index == 0 ? 0 : 1;
     out.side_m = grid.side_m;
     out.cosine = grid.cosine;
     out.sine = grid.sine;

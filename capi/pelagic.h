@@ -228,32 +228,32 @@ typedef struct pelagic_statistics {
     uint32_t struct_size;
     uint32_t reserved;
     double expected_wave_height_m; /* significant wave height, 4 sqrt(variance) */
-    double drawn_wave_height_m;
+    double realised_wave_height_m;
     /* Of all waves of the model; 0 for phillips-paper, which has no scale. */
     double model_wave_height_m;
     double expected_peak_period_s; /* period of the maximum of the frequency spectrum */
     /* Young 1995; with a swell: of the system with the higher peak. */
-    double drawn_peak_period_s;
+    double realised_peak_period_s;
     double peak_wavelength_m;
     double expected_tm01_s; /* m0 / m1, m_n = integral f^n S(f) df */
-    double drawn_tm01_s;
+    double realised_tm01_s;
     double expected_tm02_s; /* sqrt(m0 / m2), also the mean period of upward zero crossings */
-    double drawn_tm02_s;
+    double realised_tm02_s;
     double expected_direction_rad; /* direction waves run towards, from +x to +z, (-pi, pi] */
-    double drawn_direction_rad;
+    double realised_direction_rad;
     double expected_spread_rad; /* directional spread, [0, sqrt(2)] */
-    double drawn_spread_rad;
+    double realised_spread_rad;
     double slope_variance_along_wind; /* expected, of all cascades */
     double slope_variance_across_wind;
     double expected_convergence_variance; /* of Dx,x + Dz,z */
-    double drawn_convergence_variance;
+    double realised_convergence_variance;
     /* The next six fields are for spectra with a swell; the first four are expected values. */
     double wind_sea_height_m;
     double wind_sea_peak_period_s;
     double swell_height_m;
     double swell_peak_period_s;
-    double drawn_wind_sea_peak_period_s;
-    double drawn_swell_peak_period_s;
+    double realised_wind_sea_peak_period_s;
+    double realised_swell_peak_period_s;
     double effective_fetch_m; /* jonswap: the fetch that has an effect, at most 17,000 U10^2 / g */
     double repeats_after_m;   /* side of the coarsest cascade, the period of the longest waves */
 } pelagic_statistics;
@@ -927,8 +927,8 @@ PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(pelagic_ocean* ocean, pel
 
 /* Enqueues a disturbance that acts once, in the next tick.
  *
- * At most 4096 impulses wait for a tick. While advances are to times not later than the one before,
- * impulses do not accumulate: only those before the last such advance that has any wait.
+ * At most 4096 impulses wait for a tick. Impulses before an advance to a time that is not later than
+ * the one before are provisional: the next such advance with impulses replaces them.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and for too many impulses.
  * Threads: one thread per object. */

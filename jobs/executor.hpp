@@ -91,8 +91,8 @@ int default_thread_count();
 /// \param threads  number of threads including the one that calls complete(); 0 to 1024. 0:
 ///                 default_thread_count(); 1: starts no thread, and complete() does all work.
 /// \throws std::invalid_argument  if `threads` is out of range
-/// \throws std::system_error      if the system does not create the threads: "8 threads are wanted,
-///                                and the system gives 3: ..."
+/// \throws std::system_error      if the system does not create the threads: "8 threads are
+///                                requested, but the system provides 3: ..."
 std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 
 /// Creates a thread pool, see make_thread_executor(), whose threads run on chosen CPUs only. Use it

@@ -78,7 +78,8 @@ void need_threads(int count, std::size_t stack_bytes) {
         for (int i = 1; i < count; ++i) threads.emplace_back([&] { wait_while(is_released, 0); }, stack_bytes);
     } catch (const std::system_error& error) {
         join();
-        throw std::system_error(error.code(), number_text(count) + " threads are wanted, and the system gives " +
+        throw std::system_error(error.code(), number_text(count) +
+                                                  " threads are requested, but the system provides " +
                                                   number_text(threads.size() + 1));
     } catch (...) {  // no memory for a thread's data
         join();

@@ -27,7 +27,7 @@ class JobThread {
 
 /// Checks that `count` threads with such stacks, including the calling thread, can run at once.
 /// Call it before a library that ends the program if it cannot create a thread.
-/// \throws std::system_error  "8 threads are wanted, and the system gives 3: ..."
+/// \throws std::system_error  "8 threads are requested, but the system provides 3: ..."
 void need_threads(int count, std::size_t stack_bytes);
 
 }  // namespace pelagic

@@ -32,7 +32,7 @@ class Pool final : public WorkerGroup {
             stop();
             throw std::system_error(
                 error.code(),
-                number_text(threads) + " threads are wanted, and the system gives " + number_text(given));
+                number_text(threads) + " threads are requested, but the system provides " + number_text(given));
         } catch (...) {  // no memory for a thread's data
             stop();
             throw;

@@ -9,7 +9,7 @@
 namespace pelagic {
 
 /// Restricts the accepted values in [min, max].
-enum class Among { all, above_min, even, powers_of_two };
+enum class Restriction { none, above_min, even, powers_of_two };
 
 /// One numeric option of a struct.
 template <class Options>
@@ -19,7 +19,7 @@ struct NumericField {
     double min;
     double max;
     std::string_view accepted;  ///< text of the range: "(0, 60]", "a power of two from 16 to 2048"
-    Among among = Among::all;
+    Restriction restriction = Restriction::none;
     /// One more accepted value with a special meaning, such as 0 for a default.
     std::optional<double> also = {};
 
@@ -27,11 +27,11 @@ struct NumericField {
     bool accepts(double value) const {
         if (also && value == *also) return true;
         if (!(value >= min && value <= max)) return false;  // also for NaN
-        if (among == Among::all) return true;
-        if (among == Among::above_min) return value > min;
+        if (restriction == Restriction::none) return true;
+        if (restriction == Restriction::above_min) return value > min;
         const auto whole = static_cast<long long>(value);
         return static_cast<double>(whole) == value &&
-               (among == Among::even ? whole % 2 == 0 : (whole & (whole - 1)) == 0);
+               (restriction == Restriction::even ? whole % 2 == 0 : (whole & (whole - 1)) == 0);
     }
 
     /// Returns the value of this field as a double.

@@ -122,8 +122,8 @@ class DynamicWaves {
     static constexpr std::size_t max_disturbances = 4096;
 
     /// Enqueues a disturbance that acts once, in the next tick. At most 4096 impulses wait for a
-    /// tick. While advances are to times not later than the one before, impulses do not accumulate:
-    /// only those before the last such advance that has any wait.
+    /// tick. Impulses before an advance to a time that is not later than the one before are
+    /// provisional: the next such advance with impulses replaces them.
     /// \throws std::invalid_argument  check(disturbance), unless it is empty, or if there are more
     void add_impulse(const Disturbance& disturbance);
     /// Adds a source, which acts in every tick and moves at its velocity, until it is removed. At

@@ -198,7 +198,7 @@ class Ocean {
     const FrameContents& contents() const;  ///< of every frame
     std::size_t cascade_count() const;  ///< of every frame
     int resolution() const;             ///< texels along a side of each cascade
-    const SeaState& sea() const;        ///< last sea of the forecast; Frame::sea is that of a frame
+    const SeaState& sea() const;        ///< last sea of the forecast; Frame::sea is the sea at a frame's time
     const Forecast& forecast() const;   ///< with the largest_peak_m of the cascades
     /// Returns the instruction set of the kernels.
     Isa isa() const;

@@ -19,7 +19,7 @@ struct Rain {
     /// texel in a tick. 0: no rain.
     double drops_per_m2_s = 0;
     /// Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel
-    /// is drawn a texel wide, flatter and with equal volume.
+    /// is a texel wide on the grid, flatter and with equal volume.
     double radius_m = 0.25;
     double height_m = 0.02;  ///< depth of a crater; [-10, 10]
     std::uint32_t seed = 1;

@@ -112,9 +112,9 @@ int cascades_of(const SeaState& sea);
 int resolution_of(const SeaState& sea);
 /// Returns whether the sea has one cascade because patch_size_m is set or its model has only one.
 /// \pre check(sea) is empty
-bool is_cascade_for_good(const SeaState& sea);
+bool is_limited_to_one_cascade(const SeaState& sea);
 /// Returns whether the waves are those of the spectrum phillips-paper.
-bool has_papers_spectrum(const SeaState& sea);
+bool is_phillips_paper(const SeaState& sea);
 
 /// `name` is also the key in files.
 using SeaStateField = NumericField<SeaState>;

@@ -50,7 +50,7 @@ double measured_significant_wave_height_m(const Frame& frame);
 /// peak. A wave counts for both systems, by their fractions of its energy over all seeds.
 double measured_peak_period_s(const SeaState& sea);
 
-/// Distribution of the drawn waves' energy over the frequencies of their loop. A loop contains
+/// Distribution of the realised waves' energy over the frequencies of their loop. A loop contains
 /// whole numbers of periods, so its frequencies are 1/T, 2/T, ... Waves of one frequency rise and
 /// fall in phase permanently.
 struct LoopFrequencies {
@@ -106,9 +106,9 @@ struct MeanPeriods {
 struct WaveSystem {
     /// Of the waves that the grid holds, mean over all seeds.
     double significant_wave_height_m = 0;
-    double drawn_significant_wave_height_m = 0;
+    double realised_significant_wave_height_m = 0;
     double peak_period_s = 0;        ///< of the maximum of this system's frequency spectrum
-    double drawn_peak_period_s = 0;  ///< of this seed; 0 if the grid holds no waves of the system
+    double realised_peak_period_s = 0;  ///< of this seed; 0 if the grid holds no waves of the system
 };
 
 /// Slope variance of the waves that a cascade holds, mean over all seeds. Its texels do not resolve
@@ -123,15 +123,15 @@ struct CascadeSlopes {
 /// functions above and below.
 struct SeaReport {
     ExpectedWaves expected;
-    double drawn_significant_wave_height_m = 0;  ///< of this seed's waves, mean over time
-    double drawn_peak_period_s = 0;              ///< measured_peak_period_s()
+    double realised_significant_wave_height_m = 0;  ///< of this seed's waves, mean over time
+    double realised_peak_period_s = 0;              ///< measured_peak_period_s()
     MeanPeriods expected_periods;
-    MeanPeriods drawn_periods;                  ///< of this seed's waves, at the loop's frequencies
+    MeanPeriods realised_periods;               ///< of this seed's waves, at the loop's frequencies
     std::optional<WaveSystem> wind_sea, swell;  ///< only for a spectrum with a swell
     /// Variance of the horizontal convergence Dx,x + Dz,z, at the sea's choppiness. 0 for a pond.
-    double expected_convergence_variance = 0, drawn_convergence_variance = 0;
+    double expected_convergence_variance = 0, realised_convergence_variance = 0;
     WaveDirections expected_directions;
-    WaveDirections drawn_directions;  ///< of this seed's waves
+    WaveDirections realised_directions;  ///< of this seed's waves
     /// Fetch that has an effect (jonswap), metres; 0 for other models. Less than SeaState::fetch_m
     /// if the sea is fully developed.
     double effective_fetch_m = 0;
@@ -139,10 +139,10 @@ struct SeaReport {
     LoopFrequencies loop_frequencies = {};
     std::vector<std::string> warnings;  ///< warnings_about()
 };
-/// Returns expected and drawn statistics, and warnings. \pre check(sea) is empty
+/// Returns expected and realised statistics, and warnings. \pre check(sea) is empty
 SeaReport report_on(const SeaState& sea);
 
-/// As report_on(), in half the time, without drawn waves. Their statistics are valid only if a
+/// As report_on(), in half the time, without realised waves. Their statistics are valid only if a
 /// warning depends on them: in a loop shorter than ten peak periods. \pre check(sea) is empty
 SeaReport expected_report_on(const SeaState& sea);
 

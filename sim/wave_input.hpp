@@ -31,8 +31,8 @@ struct InputMoment {
     std::uint32_t loop_turns = 0;
     /// 0 for a frame, 1 for a tick. A tick begins after the frame that needs it and may run
     /// concurrently with it. So an input stores what add() needs of a moment separately for each
-    /// value of `place`.
-    std::size_t place = 0;
+    /// value of `pass_index`.
+    std::size_t pass_index = 0;
     std::span<const CascadeGrid> grids = {};  ///< of the cascades, the coarsest first
     int resolution = 0;                       ///< of each
     Isa isa = {};                             ///< the instruction set that computes
@@ -77,8 +77,8 @@ class WaveInput {
     WaveInput& operator=(const WaveInput&) = delete;
     virtual ~WaveInput() = default;
 
-    /// Prepares a moment, on the thread that schedules, before anything is added. schedule() or
-    /// complete() throws what it throws.
+    /// Prepares a moment, on the thread that schedules, before anything is added. Exceptions
+    /// pass through schedule() or complete().
     virtual void begin(const InputMoment& moment) = 0;
     /// Returns whether the input adds to a cascade. A cascade to which no input adds is unchanged.
     /// Called after begin().

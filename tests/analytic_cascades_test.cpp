@@ -282,7 +282,7 @@ TEST(AnalyticCascades, ReportedHeightEqualsFrameHeight) {
         const SeaReport report = report_on(sea);
         const double held = significant_height_m(waves_of_cascades(sea));
         EXPECT_NEAR(report.expected.significant_wave_height_m, held, 1e-9);
-        EXPECT_NEAR(report.drawn_significant_wave_height_m, held, 1e-9) << "no seed draws them";
+        EXPECT_NEAR(report.realised_significant_wave_height_m, held, 1e-9) << "no seed draws them";
         EXPECT_NEAR(*report.expected.model_significant_wave_height_m, significant_height_m(analytic_sea_of(sea)),
                     1e-12);
         Ocean ocean(sea, everything());

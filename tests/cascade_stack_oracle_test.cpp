@@ -194,8 +194,8 @@ double correlation_at_lag(const std::vector<CascadeWaves>& cascades, double x, d
             for (int m = n == 0 ? 1 : -half + 1; m < half; ++m) {
                 const auto [kx, kz] = cascade.grid.in_world(m * cascade.spacing(), n * cascade.spacing());
                 const OppositeWaves pair = waves.pair(m, n).plus;
-                together += pair.drawn_square() * std::cos(kx * x + kz * z);
-                all += pair.drawn_square();
+                together += pair.realised_square() * std::cos(kx * x + kz * z);
+                all += pair.realised_square();
             }
         }
     }

@@ -195,8 +195,8 @@ Shown shown(const DynamicWaveGrid& grid, double fraction) {
     AlignedBuffer<float> height(n * n), rise(n * n), edge(n);
     std::vector<std::uint8_t> foam(n * n);
     for (std::size_t item = 0; item < n / DynamicWaveGrid::rows_per_item; ++item)
-        grid.show(static_cast<float>(fraction), item,
-                  {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
+        grid.interpolate(static_cast<float>(fraction), item,
+                         {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
     return {{height.data(), height.data() + n * n}, {rise.data(), rise.data() + n * n}};
 }
 

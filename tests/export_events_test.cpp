@@ -177,8 +177,8 @@ class ManualTicks {
         AlignedBuffer<float> height(texels), rise(texels), edge(grid_texels);
         std::vector<std::uint8_t> foam(texels);
         for (std::size_t item = 0; item < grid_texels / DynamicWaveGrid::rows_per_item; ++item)
-            pool_.grid.show(static_cast<float>(fraction), item,
-                            {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
+            pool_.grid.interpolate(static_cast<float>(fraction), item,
+                                   {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
         std::vector<float> pixels;
         const auto in_torus = [](std::int64_t i) {
             return static_cast<std::size_t>(((i % grid_texels) + grid_texels) % grid_texels);

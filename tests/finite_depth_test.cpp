@@ -150,7 +150,7 @@ TEST(FiniteDepth, ReportedConvergenceVarianceMatchesTheFrames) {
                 });
             }
         }
-        EXPECT_NEAR(report.drawn_convergence_variance / measured, 1, 0.02) << depth;
+        EXPECT_NEAR(report.realised_convergence_variance / measured, 1, 0.02) << depth;
         EXPECT_NEAR(report.expected_convergence_variance / measured, 1, 0.06) << depth << ": all seeds, not this one";
         double slopes = 0;
         for (const CascadeSlopes& cascade : report.cascades) slopes += cascade.slopes.total();

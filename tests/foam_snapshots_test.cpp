@@ -139,7 +139,7 @@ TEST_P(FoamSnapshotsOnEachIsa, ResolveTheFoamOfKnownWaves) {
     }
     const double since = 0.4;
     slots.frame().foam.level = 1.2f;
-    snapshots.show(clock, {.number = last, .fraction = static_cast<std::uint32_t>(since * 0x1p32)});
+    snapshots.set_views(clock, {.number = last, .fraction = static_cast<std::uint32_t>(since * 0x1p32)});
     // Not part of this test: no compression now.
     for (std::size_t cascade = 0; cascade < 2; ++cascade)
         std::fill_n(slots.buffers(cascade).compression.data(), slots.buffers(cascade).compression.size(),

@@ -176,7 +176,7 @@ TEST(TickClock, LoopsHaveWholeTicksThatCanBeFoundByTime) {
             const double time = static_cast<double>(number) * period / clock.ticks_per_loop();
             // A tick's time may not be representable as a double, and rounds by at most 2^-30 of a
             // loop to either side.
-            const TickPlace place = clock.at(time + period * 0x1p-30);
+            const TickTime place = clock.at(time + period * 0x1p-30);
             ASSERT_EQ(place.number, number) << period;
             ASSERT_LE(place.fraction, 0x1p32 * clock.ticks_per_loop() * 0x1p-29) << period;
             ASSERT_EQ(clock.at(clock.time_in_loop_s(number)).number, clock.in_loop(number));

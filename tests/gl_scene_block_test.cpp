@@ -20,7 +20,7 @@ TEST(SceneBlock, StoresTheLongestWavelengthOfEachCascade) {
         SeaState sea = preset.sea;
         if (sea.waves == WaveModel::pond) continue;
         sea.resolution = 64;
-        sea.cascades = is_cascade_for_good(sea) ? 1 : 4;
+        sea.cascades = is_limited_to_one_cascade(sea) ? 1 : 4;
         Ocean ocean(sea, {.executor = make_serial_executor()});
         const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
         const std::vector<CascadePlan> plans = plan_cascades(sea);

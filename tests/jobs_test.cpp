@@ -590,7 +590,8 @@ TEST(ExecutorDeathTest, FailureToStartThreadsIsAnErrorAndNotACrash) {
         }
         std::exit(0);
     };
-    const char* const line = "1000 threads are wanted, and the system gives [0-9]+: Resource temporarily unavailable";
+    const char* const line =
+        "1000 threads are requested, but the system provides [0-9]+: Resource temporarily unavailable";
     EXPECT_EXIT(ask(make_thread_executor), testing::ExitedWithCode(7), line);
 #if defined(PELAGIC_HAS_TBB)
     EXPECT_EXIT(ask(make_tbb_executor), testing::ExitedWithCode(7), line);

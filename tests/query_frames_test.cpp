@@ -33,11 +33,11 @@ TEST(CInterfaceQueryFrames, ReaderGetsTheNewestFrameAndKeepsIt) {
     Shown shown;
     QueryFrames frames;
     EXPECT_EQ(QueryFrames::Reader(frames).query(), nullptr);
-    frames.show(shown.query(1));
+    frames.set_current(shown.query(1));
     const QueryFrames::Reader first(frames);
     EXPECT_EQ(number_of(first), 1);
     frames.wait_for_old_readers();
-    frames.show(shown.query(2));
+    frames.set_current(shown.query(2));
     EXPECT_EQ(number_of(first), 1);
     EXPECT_EQ(number_of(QueryFrames::Reader(frames)), 2);
 }
@@ -49,11 +49,11 @@ constexpr std::chrono::milliseconds a_while(100);
 TEST(CInterfaceQueryFrames, FrameIsOverwrittenAfterItsLastReader) {
     Shown shown;
     QueryFrames frames;
-    frames.show(shown.query(1));
+    frames.set_current(shown.query(1));
     auto first = std::make_unique<QueryFrames::Reader>(frames);
     auto second = std::make_unique<QueryFrames::Reader>(frames);
     frames.wait_for_old_readers();  // no reader holds the previous frame
-    frames.show(shown.query(2));
+    frames.set_current(shown.query(2));
     const QueryFrames::Reader of_the_newest(frames);
 
     std::atomic<bool> waits = false, is_free = false;
@@ -81,7 +81,7 @@ TEST(CInterfaceQueryFrames, HeldFrameNeverChanges) {
     std::vector<SurfaceQuery> queries;
     for (int n = 0; n < 64; ++n) queries.push_back(shown.query(static_cast<float>(n)));
     QueryFrames frames;
-    frames.show(queries[0]);
+    frames.set_current(queries[0]);
     std::atomic<bool> is_over = false;
     std::atomic<long> changed = 0, reads = 0;
     std::vector<std::thread> readers;
@@ -105,7 +105,7 @@ TEST(CInterfaceQueryFrames, HeldFrameNeverChanges) {
         // A frame takes a while to write: a reader that arrived too late for this memory would see
         // it change.
         for (int i = 0; i < 300; ++i) std::atomic_signal_fence(std::memory_order_seq_cst);
-        frames.show(queries[n % queries.size()]);
+        frames.set_current(queries[n % queries.size()]);
     }
     is_over = true;
     for (std::thread& reader : readers) reader.join();

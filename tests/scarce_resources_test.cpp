@@ -94,7 +94,8 @@ TEST_F(ScarceResources, TooFewThreadsForTheImageLibraryAreReportedAndNothingIsWr
     });
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     EXPECT_EQ(outcome.err.find("pelagic: can't load "), 0u) << outcome.err;
-    EXPECT_NE(outcome.err.find("5 threads are wanted, and the system gives 1: "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("5 threads are requested, but the system provides 1: "), std::string::npos)
+        << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }

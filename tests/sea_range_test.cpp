@@ -29,7 +29,7 @@ Edges edges_of(const SeaStateField& field) {
     if (std::holds_alternative<std::uint32_t SeaState::*>(field.member)) return {field.min, 1, field.max};
     const auto inside = [](double edge, double towards) { return std::nextafter(edge, towards); };
     Edges edges = {inside(field.min, field.max), inside(field.max, field.min), field.max};
-    if (field.among != Among::above_min) edges.push_back(field.min);
+    if (field.restriction != Restriction::above_min) edges.push_back(field.min);
     if (field.also) edges.push_back(*field.also);
     return edges;
 }
@@ -180,7 +180,7 @@ TEST(SeaRange, ValuesBeyondAnEdgeAreRejected) {
         const double infinity = std::numeric_limits<double>::infinity();
         EXPECT_FALSE(field.accepts(std::nextafter(field.min, -infinity))) << field.name;
         EXPECT_FALSE(field.accepts(std::nextafter(field.max, infinity))) << field.name;
-        EXPECT_EQ(field.accepts(field.min), field.among != Among::above_min) << field.name;
+        EXPECT_EQ(field.accepts(field.min), field.restriction != Restriction::above_min) << field.name;
         EXPECT_TRUE(field.accepts(field.max)) << field.name;
         for (const double value : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
             EXPECT_FALSE(field.accepts(value)) << field.name;

@@ -61,7 +61,7 @@ TEST(SeaReport, DrawnDirectionsMatchTheDrawnWaves) {
                 z += energy * n / std::hypot(m, n);
             }
         }
-        const WaveDirections drawn = report_on(sea).drawn_directions;
+        const WaveDirections drawn = report_on(sea).realised_directions;
         EXPECT_LT(apart(drawn.mean_rad, std::atan2(z, x)), 1e-9) << seed;
         EXPECT_NEAR(drawn.spread_rad, std::sqrt(2 * (1 - std::hypot(x, z) / all)), 1e-9) << seed;
     }
@@ -100,7 +100,7 @@ TEST(SeaReport, AgreesWithTheSingleStatistics) {
     const SeaState sea{.resolution = 64, .patch_size_m = 250, .loop_period_s = 12.8, .seed = 5};
     const SeaReport report = report_on(sea);
     EXPECT_EQ(report.expected.significant_wave_height_m, expected_waves(sea).significant_wave_height_m);
-    EXPECT_EQ(report.drawn_peak_period_s, measured_peak_period_s(sea));
+    EXPECT_EQ(report.realised_peak_period_s, measured_peak_period_s(sea));
     EXPECT_EQ(report.loop_frequencies.for_90_percent, loop_frequencies(sea).for_90_percent);
     EXPECT_EQ(report.warnings, warnings_about(sea));
     EXPECT_FALSE(report.warnings.empty());
@@ -128,7 +128,7 @@ TEST(SeaReport, OfExpectedWavesHasTheExpectedStatisticsAndWarnings) {
 TEST(SeaReport, OfASeaWithoutWavesIsCalm) {
     const SeaReport report = report_on({.resolution = 16, .patch_size_m = 250, .wind_speed_mps = 1e-3});
     EXPECT_EQ(report.expected_directions.spread_rad, 0);
-    EXPECT_EQ(report.drawn_directions.mean_rad, 0);
+    EXPECT_EQ(report.realised_directions.mean_rad, 0);
     EXPECT_EQ(report.loop_frequencies.for_90_percent, 0);
 }
 
@@ -191,8 +191,8 @@ TEST(SeaReport, MeanPeriodsOfASwellMatchTheClosedForm) {
     // The grid's shortest wave, 23 m, omits 0.2 % of m2.
     EXPECT_NEAR(report.expected_periods.tm01_s, 11 / moment(1), 0.005 * 11);
     EXPECT_NEAR(report.expected_periods.tm02_s, 11 / std::sqrt(moment(2)), 0.005 * 11);
-    EXPECT_NEAR(report.drawn_periods.tm01_s / report.expected_periods.tm01_s, 1, 0.02);
-    EXPECT_NEAR(report.drawn_periods.tm02_s / report.expected_periods.tm02_s, 1, 0.02);
+    EXPECT_NEAR(report.realised_periods.tm01_s / report.expected_periods.tm01_s, 1, 0.02);
+    EXPECT_NEAR(report.realised_periods.tm02_s / report.expected_periods.tm02_s, 1, 0.02);
 }
 
 // Integrates the moments of JONSWAP's frequency spectrum up to the shortest wave of the cascades by
@@ -239,20 +239,21 @@ TEST(SeaReport, PeaksOfWindSeaAndSwellAreSeparate) {
         SeaState drawn = sea;
         drawn.seed = seed;
         const SeaReport one = report_on(drawn);
-        EXPECT_NEAR(one.swell->drawn_peak_period_s, 14, 14.0 / 8) << seed;
-        EXPECT_NEAR(one.wind_sea->drawn_peak_period_s, one.wind_sea->peak_period_s, one.wind_sea->peak_period_s / 8);
-        swell_s += one.swell->drawn_peak_period_s / 8;
-        wind_s += one.wind_sea->drawn_peak_period_s / 8;
+        EXPECT_NEAR(one.swell->realised_peak_period_s, 14, 14.0 / 8) << seed;
+        EXPECT_NEAR(one.wind_sea->realised_peak_period_s, one.wind_sea->peak_period_s,
+                    one.wind_sea->peak_period_s / 8);
+        swell_s += one.swell->realised_peak_period_s / 8;
+        wind_s += one.wind_sea->realised_peak_period_s / 8;
     }
     EXPECT_NEAR(swell_s, 14, 0.06 * 14);
     EXPECT_NEAR(wind_s, of_wind.expected.peak_period_s, 0.06 * of_wind.expected.peak_period_s);
     EXPECT_NEAR(report.swell->significant_wave_height_m, 2, 0.02);
     EXPECT_NEAR(report.wind_sea->significant_wave_height_m, of_wind.expected.significant_wave_height_m, 0.02);
-    EXPECT_NEAR(
-        std::hypot(report.swell->drawn_significant_wave_height_m, report.wind_sea->drawn_significant_wave_height_m),
-        report.drawn_significant_wave_height_m, 1e-9);
-    const double peak_s = report.drawn_peak_period_s;
-    EXPECT_TRUE(peak_s == report.swell->drawn_peak_period_s || peak_s == report.wind_sea->drawn_peak_period_s);
+    EXPECT_NEAR(std::hypot(report.swell->realised_significant_wave_height_m,
+                           report.wind_sea->realised_significant_wave_height_m),
+                report.realised_significant_wave_height_m, 1e-9);
+    const double peak_s = report.realised_peak_period_s;
+    EXPECT_TRUE(peak_s == report.swell->realised_peak_period_s || peak_s == report.wind_sea->realised_peak_period_s);
     EXPECT_FALSE(of_wind.wind_sea || of_wind.swell) << "one part alone is the sea";
 }
 

@@ -319,8 +319,8 @@ TEST(WaveInput, CascadesWithoutInputsAreBitIdentical) {
 TEST(WaveInput, InputsAreNotCalledForUnusedRows) {
     std::array<std::atomic<int>, 4> frames{}, ticks{};
     const auto count = [&](const InputRows& rows) {
-        ++(rows.moment.place == 0 ? frames : ticks)[rows.cascade];
-        EXPECT_EQ(rows.velocity_x.empty(), rows.moment.place == 1);
+        ++(rows.moment.pass_index == 0 ? frames : ticks)[rows.cascade];
+        EXPECT_EQ(rows.velocity_x.empty(), rows.moment.pass_index == 1);
     };
     OceanOptions options = with({std::make_shared<CallbackInput>(count, 0.5, 0b1101)});
     options.foam = true;
@@ -531,7 +531,7 @@ TEST(WaveInput, FoamTicksIncludeInputs) {
     SeaState sea = one_cascade;
     sea.wind_speed_mps = 8;
     const auto contraction = callback([](const InputRows& rows) {
-        if (rows.moment.place == 0) return;
+        if (rows.moment.pass_index == 0) return;
         for (std::size_t row = 0; row < rows.row_count; ++row)
             // A gradient of -0.95: the water converges there.
             for (std::size_t i = 16; i < 48; ++i)

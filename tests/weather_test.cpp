@@ -199,7 +199,7 @@ TEST_P(BlendOnEachIsa, EnergyOfEachWaveIsInterpolated) {
 
 TEST(SpectrumCache, KeepsSpectraInUseAndEvictsTheOldest) {
     SpectrumCache shelf;
-    for (std::size_t number = 0; number < SpectrumCache::places; ++number) shelf.put(number);
+    for (std::size_t number = 0; number < SpectrumCache::entries; ++number) shelf.put(number);
     shelf.need(Pass::tick, 0, 1);
     shelf.need(Pass::frame, 1, 2);
     shelf.put(7);

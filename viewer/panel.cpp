@@ -63,11 +63,11 @@ void choose_waves(SeaState& sea) {
     if (sea.waves == WaveModel::pond) slide(sliders::drag, sea.wave_drag);
 }
 
-/// Shows the number of cascades. The user can change it unless is_cascade_for_good() is true: the
+/// Shows the number of cascades. The user can change it unless is_limited_to_one_cascade() is true: the
 /// patch size was given, or the model supports no other number.
 void choose_cascades(SeaState& sea, const std::vector<double>& sides_m) {
     int cascades = cascades_of(sea);
-    if (!is_cascade_for_good(sea) &&
+    if (!is_limited_to_one_cascade(sea) &&
         ImGui::SliderInt(sliders::cascades.label, &cascades, static_cast<int>(sliders::cascades.min),
                          static_cast<int>(sliders::cascades.max)))
         sea.cascades = cascades;

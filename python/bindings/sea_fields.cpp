@@ -37,8 +37,8 @@ py::dict report(py::handle sea) {
     out["model_significant_wave_height_m"] = found.expected.model_significant_wave_height_m;
     out["peak_period_s"] = found.expected.peak_period_s;
     out["peak_wavelength_m"] = found.expected.peak_wavelength_m;
-    out["drawn_significant_wave_height_m"] = found.drawn_significant_wave_height_m;
-    out["drawn_peak_period_s"] = found.drawn_peak_period_s;
+    out["realised_significant_wave_height_m"] = found.realised_significant_wave_height_m;
+    out["realised_peak_period_s"] = found.realised_peak_period_s;
     out["warnings"] = found.warnings;
     return out;
 }

@@ -26,9 +26,9 @@ class Report:
     """Peak period of the model's frequency spectrum."""
     peak_wavelength_m: float
     """Wavelength of the peak period at this depth."""
-    drawn_significant_wave_height_m: float
+    realised_significant_wave_height_m: float
     """Hs of the waves of this seed, the mean over time."""
-    drawn_peak_period_s: float
+    realised_peak_period_s: float
     """Peak period of the waves of this seed."""
     warnings: List[str]
     """Limitations of this sea, one sentence each."""

@@ -42,7 +42,7 @@ class ShoreAt {
     /// \pre is_place()
     template <class Texel>
     double linear(const Texel& texel) const {
-        const std::size_t row = place(i_, j_), below = row + static_cast<std::size_t>(shore_.columns);
+        const std::size_t row = texel_index(i_, j_), below = row + static_cast<std::size_t>(shore_.columns);
         const double upper = texel(row) + right_ * (texel(row + 1) - texel(row));
         const double lower = texel(below) + right_ * (texel(below + 1) - texel(below));
         return upper + down_ * (lower - upper);
@@ -98,7 +98,7 @@ class ShoreAt {
                 weights(6 * t * (t - 1), 6 * t * (1 - t), 1 - t * (4 - 3 * t), t * (3 * t - 2))};
     }
 
-    std::size_t place(int i, int j) const {
+    std::size_t texel_index(int i, int j) const {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(shore_.columns) + static_cast<std::size_t>(i);
     }
 
@@ -113,7 +113,7 @@ class ShoreAt {
         Cubic sum;
         for (std::size_t m = 0; m < count; ++m) {
             const float* const row =
-                plane.data() + place(0, std::clamp(j_ + first + static_cast<int>(m), 0, shore_.rows - 1));
+                plane.data() + texel_index(0, std::clamp(j_ + first + static_cast<int>(m), 0, shore_.rows - 1));
             double value = 0, derivative = 0;
             for (std::size_t n = 0; n < count; ++n) {
                 value += along.value[n] * static_cast<double>(row[columns[n]]);

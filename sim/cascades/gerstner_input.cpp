@@ -91,9 +91,9 @@ struct GerstnerInput::State {
 
     /// Returns the factors of a row: h = A cos(a + b) and D = -choppiness A k/|k| sin(a + b), where
     /// b is the wave's angle at the row's first texel.
-    GridWaveRow row_of(std::size_t wave, std::size_t place, std::size_t row) const {
+    GridWaveRow row_of(std::size_t wave, std::size_t pass_index, std::size_t row) const {
         const Held& of = held[wave];
-        const det::SineCosine& start = starts[place][wave];
+        const det::SineCosine& start = starts[pass_index][wave];
         const det::SineCosine& down = turn_fraction(static_cast<std::int64_t>(row) * of.at.n);
         const double height = of.wave.amplitude_m;
         const double cosine = start.cosine * down.cosine - start.sine * down.sine;
@@ -126,7 +126,7 @@ struct GerstnerInput::State {
     std::vector<det::SineCosine> circle;    ///< of i / N turns
     AlignedBuffer<float> columns;           ///< N cosines and N sines for each wave
     std::array<int, max_waves> columns_of;  ///< m of each wave's columns
-    /// Sine and cosine of each wave's angle at texel (0, 0), by InputMoment::place.
+    /// Sine and cosine of each wave's angle at texel (0, 0), by InputMoment::pass_index.
     std::array<std::array<det::SineCosine, max_waves>, 2> starts;
 };
 
@@ -149,10 +149,10 @@ PlaneWaves GerstnerInput::held() const {
 }
 
 void GerstnerInput::begin(const InputMoment& moment) {
-    if (moment.place == 0) state_->hold(moment);
+    if (moment.pass_index == 0) state_->hold(moment);
     for (std::size_t i = 0; i < state_->held.size(); ++i) {
         const State::Held& held = state_->held[i];
-        state_->starts[moment.place][i] =
+        state_->starts[moment.pass_index][i] =
             det::sine_cosine_of_turns(input_turns(held.wave.phase_turns, held.harmonic, moment.loop_turns));
     }
 }
@@ -179,7 +179,7 @@ void GerstnerInput::add(const InputRows& rows) const {
         for (std::size_t i = 0; i < state_->held.size(); ++i) {
             const State::Held& held = state_->held[i];
             if (held.cascade != rows.cascade) continue;
-            waves[count] = state_->row_of(i, rows.moment.place, rows.first_row + row);
+            waves[count] = state_->row_of(i, rows.moment.pass_index, rows.first_row + row);
             if (with_velocities) derivatives[count] = State::derivative_of(waves[count], held.wave.frequency_hz);
             ++count;
         }

@@ -153,7 +153,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 const double k_x = signed_m * spacing, k_z = n * spacing, of_square = 1 / (k_x * k_x + k_z * k_z);
                 const double trace = k_x * (sign * filtered_x.derivative) + k_z * filtered_z.derivative;
                 const double filter = filtered_x.filter * filtered_z.filter;
-                const double moved_square = mirrors * opposites.drawn_square() * orbit_square;
+                const double moved_square = mirrors * opposites.realised_square() * orbit_square;
                 statistics.trace_square = filter * (moved_square * of_square * trace * trace);
                 statistics.trace_rate_square = filter *
                                                (mirrors *

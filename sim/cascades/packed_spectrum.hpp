@@ -51,7 +51,7 @@ struct LineStatistics {
     double mean_square_convergence = 0;
     SlopeMoments slopes;  ///< of the cascade's textures, along the axes of the cascade
     /// Mean square of Dx,x + Dz,z at choppiness 1, and of its rate of change in 1/s at drifting
-    /// foam: of the waves drawn with this sea's seed, as bilinear filtering between the texels of
+    /// foam: of the waves of this sea's seed, as bilinear filtering between the texels of
     /// compression shows them, in the mean over all positions.
     double trace_square = 0, trace_rate_square = 0;
     /// Stokes drift at the surface along the axes of the cascade, m/s.

@@ -35,7 +35,7 @@ class Pond final : public SeaSource {
     void add_spectrum_stage(JobGraph& graph) override;
     void begin_spectrum(const SeaState& sea, const CascadePlan& plan) override;
     /// Replaces the waves. A pond holds one sea, because a Forecast of ponds has no changes.
-    LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
+    LineStatistics adopt_spectrum(std::size_t number, std::size_t entry) override;
     const CascadeGrid& grid() const override { return waves_.plan.grid; }
     void drop_spectrum() override { bake_.reset(); }
     void stage_spectrum() override { bake_.swap(staged_); }

@@ -47,7 +47,7 @@ struct RippleInput::State {
     double centre_row = 0, texel_m = 1;
     /// Squared distance of each column from the nearest image of the centre, m^2.
     AlignedBuffer<float> along_squared;
-    std::array<std::uint32_t, 2> starts{};  ///< phase at the centre, by InputMoment::place
+    std::array<std::uint32_t, 2> starts{};  ///< phase at the centre, by InputMoment::pass_index
 
     /// Returns the squared distance, m^2, along one axis from a texel to the nearest periodic image
     /// of the centre.
@@ -89,9 +89,9 @@ void RippleInput::set(const Ripple& ripple) {
 RippleInput::Held RippleInput::held() const { return state_->held; }
 
 void RippleInput::begin(const InputMoment& moment) {
-    if (moment.place == 0) state_->hold(moment);
+    if (moment.pass_index == 0) state_->hold(moment);
     const double turns = input_turns(state_->shown.phase_rad / two_pi, state_->harmonic, moment.loop_turns);
-    state_->starts[moment.place] = static_cast<std::uint32_t>(static_cast<std::int64_t>(turns * 0x1p32));
+    state_->starts[moment.pass_index] = static_cast<std::uint32_t>(static_cast<std::int64_t>(turns * 0x1p32));
 }
 
 bool RippleInput::adds_to(std::size_t cascade) const {
@@ -123,7 +123,7 @@ void RippleInput::add(const InputRows& rows) const {
              .reach_squared = static_cast<float>(reach_squared),
              .half_wave = static_cast<float>(ripple.wavelength_m / 2),
              .waves_per_m = static_cast<float>(1 / ripple.wavelength_m),
-             .start = state_->starts[rows.moment.place],
+             .start = state_->starts[rows.moment.pass_index],
              .amplitude = static_cast<float>(ripple.amplitude_m),
              .vertical_velocity = static_cast<float>(two_pi * state_->held.frequency_hz * ripple.amplitude_m),
              .heights = rows.row_of(rows.height, row).data(),

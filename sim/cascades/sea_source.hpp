@@ -65,12 +65,12 @@ class SeaSource {
     /// available to frames. A source has no waves before the first adoption.
     /// \pre the plan has the resolution of the slots, and the sea has the source's wave model
     virtual void begin_spectrum(const SeaState& sea, const CascadePlan& plan) = 0;
-    /// Stores the baked waves under a sea's number, replaces the waves in that place, and returns
+    /// Stores the baked waves under a sea's number, replaces the waves of that entry, and returns
     /// their statistics. All stored seas have one grid and one loop period.
-    /// \pre place < SpectrumCache::places, and no pass in flight reads that place
-    virtual LineStatistics adopt_spectrum(std::size_t number, std::size_t place) = 0;
+    /// \pre entry < SpectrumCache::entries, and no pass in flight reads that entry
+    virtual LineStatistics adopt_spectrum(std::size_t number, std::size_t entry) = 0;
     /// Returns the statistics by frequency band; null if the source has no transitions.
-    /// \pre the place holds a sea
+    /// \pre the entry holds a sea
     virtual const StatisticsByBand* statistics_by_band(std::size_t) const { return nullptr; }
     virtual const CascadeGrid& grid() const = 0;  ///< of the next frames
     virtual void drop_spectrum() = 0;             ///< discards the spectrum being baked

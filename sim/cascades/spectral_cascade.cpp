@@ -145,7 +145,7 @@ void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& pla
                        std::vector<StatisticsByBand>(line_count(resolution_))});
 }
 
-LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t place) {
+LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t entry) {
     LineStatistics all;
     for (const LineStatistics& line : bake_->lines) all += line;
     StatisticsByBand by_band;
@@ -154,7 +154,7 @@ LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t p
     grid_ = bake_->plan.grid;
     loop_period_s_ = sea.loop_period_s;
     foam_weight_ = sea.waves == WaveModel::spectrum ? bake_->plan.foam_weight() : 0;
-    seas_[place].emplace(Waves{number, sea.choppiness, std::move(bake_->spectrum), all, std::move(by_band),
+    seas_[entry].emplace(Waves{number, sea.choppiness, std::move(bake_->spectrum), all, std::move(by_band),
                                slope_ranges(all.mean_square_slope, all.mean_square_convergence)});
     bake_.reset();
     return all;

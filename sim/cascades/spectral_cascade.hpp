@@ -44,8 +44,8 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
 
     void add_spectrum_stage(JobGraph& graph) override;
     void begin_spectrum(const SeaState& sea, const CascadePlan& plan) override;
-    LineStatistics adopt_spectrum(std::size_t number, std::size_t place) override;
-    const StatisticsByBand* statistics_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
+    LineStatistics adopt_spectrum(std::size_t number, std::size_t entry) override;
+    const StatisticsByBand* statistics_by_band(std::size_t entry) const override { return &seas_[entry]->by_band; }
     const CascadeGrid& grid() const override { return grid_; }
     void drop_spectrum() override { bake_.reset(); }
     void stage_spectrum() override { bake_.swap(staged_); }
@@ -75,7 +75,7 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
         SlopeRanges slope_ranges;
     };
     const Waves& waves_of(std::size_t number) const;
-    std::array<std::optional<Waves>, SpectrumCache::places> seas_;
+    std::array<std::optional<Waves>, SpectrumCache::entries> seas_;
     CascadeGrid grid_;          ///< of the next frames; a pass in flight has a copy in its Cascade
     double loop_period_s_ = 1;  ///< of the next frames
     double foam_weight_ = 0;    ///< CascadePlan::foam_weight(), 0 without whitecaps

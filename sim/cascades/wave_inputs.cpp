@@ -52,7 +52,7 @@ WaveInputs::WaveInputs(List inputs, FrameSlots& slots, Isa isa)
     for (const Pass pass : {Pass::tick, Pass::frame}) {
         grids_[pass].resize(slots.cascade_count());
         adds_[pass].resize(slots.cascade_count());
-        moments_[pass].place = pass == Pass::frame ? 0 : 1;
+        moments_[pass].pass_index = pass == Pass::frame ? 0 : 1;
         moments_[pass].grids = grids_[pass];
         moments_[pass].resolution = slots.resolution();
         moments_[pass].isa = isa;

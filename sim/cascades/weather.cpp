@@ -253,11 +253,11 @@ void Weather::begin(std::size_t number, Sources sources) {
 void Weather::adopt(Sources sources) {
     const DefaultFloatEnvironment environment;
     const SeaState& baked = sea(baked_number_);
-    const std::size_t place = cache_.put(baked_number_);
+    const std::size_t entry = cache_.put(baked_number_);
     Sums sums;
     std::vector<Sums> by_band;
     for (std::size_t cascade = 0; cascade < sources.size(); ++cascade)
-        sums += Sums::of(sources[cascade]->adopt_spectrum(baked_number_, place), sources[cascade]->grid());
+        sums += Sums::of(sources[cascade]->adopt_spectrum(baked_number_, entry), sources[cascade]->grid());
     const WindDrift wind = wind_drift(baked), usual = usual_foam_drift(baked);
     sums.drift_x_mps += wind.x_mps;
     sums.drift_z_mps += wind.z_mps;
@@ -269,7 +269,7 @@ void Weather::adopt(Sources sources) {
             : 1;
     const double tick_s = TickClock(baked.loop_period_s).tick_s();
     for (std::size_t cascade = 0; cascade < sources.size(); ++cascade) {
-        const StatisticsByBand* const bands = sources[cascade]->statistics_by_band(place);
+        const StatisticsByBand* const bands = sources[cascade]->statistics_by_band(entry);
         if (!bands) continue;
         by_band.resize(std::max(by_band.size(), bands->end()));
         for (std::size_t band = bands->first(); band < bands->end(); ++band) {
@@ -284,7 +284,7 @@ void Weather::adopt(Sources sources) {
     Sums by_wind;
     by_wind.drift_x_mps = wind.x_mps;
     by_wind.drift_z_mps = wind.z_mps;
-    baked_[place] = {sums, by_wind, std::move(by_band), statistics_of(baked, sums)};
+    baked_[entry] = {sums, by_wind, std::move(by_band), statistics_of(baked, sums)};
 }
 
 void Weather::begin_other(const SeaState& sea, Sources sources) {

@@ -143,7 +143,7 @@ class Weather {
     /// Of the frame in flight, if changes were added since it was scheduled.
     std::optional<Outlook> in_flight_;
     SpectrumCache cache_;
-    std::array<Baked, SpectrumCache::places> baked_;
+    std::array<Baked, SpectrumCache::entries> baked_;
     std::size_t baked_number_ = 0;
     std::optional<Other> other_;
 };

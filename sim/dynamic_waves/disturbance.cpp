@@ -18,7 +18,7 @@ constexpr std::array disturbance_field_table = {
     NumericField<Disturbance>{"length_m", &Disturbance::length_m, 0.001, 1000, "[0.001, 1000]"},
     NumericField<Disturbance>{"heading_rad", &Disturbance::heading_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     NumericField<Disturbance>{"height_m", &Disturbance::height_m, -100, 100, "[-100, 100]"},
-    NumericField<Disturbance>{"rate_per_s", &Disturbance::rate_per_s, 0, 1000, "(0, 1000]", Among::above_min},
+    NumericField<Disturbance>{"rate_per_s", &Disturbance::rate_per_s, 0, 1000, "(0, 1000]", Restriction::above_min},
     NumericField<Disturbance>{"velocity_x_mps", &Disturbance::velocity_x_mps, -1000, 1000, "[-1000, 1000]"},
     NumericField<Disturbance>{"velocity_z_mps", &Disturbance::velocity_z_mps, -1000, 1000, "[-1000, 1000]"},
 };

@@ -295,7 +295,7 @@ void DynamicWaves::begin_frame(double time_s) {
     assert(!s.frame_in_flight);
     const DefaultFloatEnvironment environment(time_s);
     const double rate = options().ticks_per_s;
-    const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
+    const double ticks = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
     const std::int64_t tick = tick_at(time_s);
     const auto max_ticks = static_cast<std::int64_t>(max_jump_s * rate);
     s.ticks_due = s.has_clock ? std::clamp(tick - s.last_tick, std::int64_t{0}, max_ticks) : 0;
@@ -303,7 +303,7 @@ void DynamicWaves::begin_frame(double time_s) {
     s.last_time_s = time_s;
     s.last_tick = tick;
     s.has_clock = true;
-    s.fraction = static_cast<float>(std::min(place - static_cast<double>(tick), 1.0));
+    s.fraction = static_cast<float>(std::min(ticks - static_cast<double>(tick), 1.0));
     s.frame_in_flight = true;
     s.run_in_flight = nullptr;
     if (s.ticks_due == 0) s.begin_run(*s.show_run);
@@ -349,9 +349,9 @@ bool DynamicWaves::is_done() const {
 
 void DynamicWaves::State::show_rows(std::size_t item) {
     Slot& slot = slots.back();
-    grid.show(fraction, item,
-              {slot.height.data(), slot.vertical_velocity.data(), slot.foam.data(), slot.lowest.data(),
-               slot.highest.data()});
+    grid.interpolate(fraction, item,
+                     {slot.height.data(), slot.vertical_velocity.data(), slot.foam.data(), slot.lowest.data(),
+                      slot.highest.data()});
 }
 
 DynamicWavesView DynamicWaves::State::view_of_back() const {

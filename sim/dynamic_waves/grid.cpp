@@ -278,7 +278,7 @@ void DynamicWaveGrid::repeat_ends(std::size_t plane, std::size_t first_row) {
     }
 }
 
-void DynamicWaveGrid::show(float fraction, std::size_t item, const Shown& to) const {
+void DynamicWaveGrid::interpolate(float fraction, std::size_t item, const Interpolated& to) const {
     const std::size_t first = item * rows_per_item;
     kernels_.interpolate_ticks({.before = tick_before_.data() + dynamic_row_margin,
                                 .now = first_texel(height_),

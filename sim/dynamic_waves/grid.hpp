@@ -82,12 +82,12 @@ class DynamicWaveGrid {
     ///
     /// Items may run concurrently. \pre no tick is in flight
     static constexpr std::size_t rows_per_item = 16;
-    struct Shown {
+    struct Interpolated {
         float *height_m, *vertical_velocity_mps;
         std::uint8_t* foam;
         float *lowest_m, *highest_m;
     };
-    void show(float fraction, std::size_t item, const Shown& to) const;
+    void interpolate(float fraction, std::size_t item, const Interpolated& to) const;
 
     /// Returns the XXH3 of the saved state without the sources: position, ticks and texels.
     std::uint64_t hash() const;

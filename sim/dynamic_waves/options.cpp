@@ -16,15 +16,15 @@ namespace {
 
 constexpr std::array dynamic_waves_field_table = {
     NumericField<DynamicWavesOptions>{"resolution", &DynamicWavesOptions::resolution, 64, 1024,
-                                      "64, 128, 256, 512 or 1024", Among::powers_of_two},
+                                      "64, 128, 256, 512 or 1024", Restriction::powers_of_two},
     NumericField<DynamicWavesOptions>{"side_m", &DynamicWavesOptions::side_m, 1, 10000, "[1, 10000]"},
     NumericField<DynamicWavesOptions>{"ticks_per_s", &DynamicWavesOptions::ticks_per_s, 10, 240, "[10, 240]"},
     NumericField<DynamicWavesOptions>{"border_m", &DynamicWavesOptions::border_m, 0.001, 2500,
-                                      "[0.001, side_m / 4], or 0: none", Among::all, 0},
+                                      "[0.001, side_m / 4], or 0: none", Restriction::none, 0},
     NumericField<DynamicWavesOptions>{"depth_m", &DynamicWavesOptions::depth_m, 0.01, 11000, "[0.01, 11000]"},
     NumericField<DynamicWavesOptions>{"viscosity_m2ps", &DynamicWavesOptions::viscosity_m2ps, 0, 1, "[0, 1]"},
     NumericField<DynamicWavesOptions>{"wave_speed_mps", &DynamicWavesOptions::wave_speed_mps, 0, 1000, "(0, 1000]",
-                                      Among::above_min},
+                                      Restriction::above_min},
     NumericField<DynamicWavesOptions>{"decay_per_s", &DynamicWavesOptions::decay_per_s, 0, 10, "[0, 10]"},
     NumericField<DynamicWavesOptions>{"foam_height_m", &DynamicWavesOptions::foam_height_m, 0.001, 100,
                                       "[0.001, 100]"},
@@ -36,10 +36,12 @@ class DynamicWaveTexels {
     explicit DynamicWaveTexels(const DynamicWavesView& water)
         : water_(water), last_(static_cast<std::size_t>(water.resolution) - 1) {}
 
-    double height(std::int64_t x, std::int64_t z) const { return static_cast<double>(water_.height_m[place(x, z)]); }
+    double height(std::int64_t x, std::int64_t z) const {
+        return static_cast<double>(water_.height_m[texel_index(x, z)]);
+    }
     DynamicWavesSample at(std::int64_t x, std::int64_t z) const {
         const double half = 0.5 / water_.texel_m;
-        const std::size_t here = place(x, z);
+        const std::size_t here = texel_index(x, z);
         return {.height_m = static_cast<double>(water_.height_m[here]),
                 .slope_x = (height(x + 1, z) - height(x - 1, z)) * half,
                 .slope_z = (height(x, z + 1) - height(x, z - 1)) * half,
@@ -48,7 +50,7 @@ class DynamicWaveTexels {
     }
 
    private:
-    std::size_t place(std::int64_t x, std::int64_t z) const {
+    std::size_t texel_index(std::int64_t x, std::int64_t z) const {
         return (static_cast<std::size_t>(z) & last_) * (last_ + 1) + (static_cast<std::size_t>(x) & last_);
     }
     const DynamicWavesView& water_;
@@ -113,8 +115,8 @@ std::uint64_t hash_of(const DynamicWavesView& view) {
     if (!view) return 0;
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
-    const std::int64_t place[] = {view.resolution, view.first_x, view.first_z};
-    XXH3_64bits_update(&state, place, sizeof place);
+    const std::int64_t position[] = {view.resolution, view.first_x, view.first_z};
+    XXH3_64bits_update(&state, position, sizeof position);
     XXH3_64bits_update(&state, view.height_m.data(), view.height_m.size_bytes());
     XXH3_64bits_update(&state, view.vertical_velocity_mps.data(), view.vertical_velocity_mps.size_bytes());
     XXH3_64bits_update(&state, view.foam.data(), view.foam.size_bytes());

@@ -36,11 +36,11 @@ constexpr std::array rain_field_table = {
 };
 
 double texel_of(const DynamicWavesOptions& water) { return water.side_m / water.resolution; }
-double drawn_radius(const Rain& rain, const DynamicWavesOptions& water) {
+double grid_radius(const Rain& rain, const DynamicWavesOptions& water) {
     return std::max(rain.radius_m, texel_of(water));
 }
 std::int64_t reach_in_texels(const Rain& rain, const DynamicWavesOptions& water) {
-    return static_cast<std::int64_t>(std::ceil(reach_radii * drawn_radius(rain, water) / texel_of(water)));
+    return static_cast<std::int64_t>(std::ceil(reach_radii * grid_radius(rain, water) / texel_of(water)));
 }
 double max_drops(const Rain& rain, const DynamicWavesOptions& water) {
     const double side_m = static_cast<double>(2 * reach_in_texels(rain, water) + 2) * texel_of(water);
@@ -86,7 +86,7 @@ RainDrops::RainDrops(const Rain& rain, const DynamicWavesOptions& water) {
     const DefaultFloatEnvironment environment;
     if (rain.drops_per_m2_s == 0) return;
     rain_ = rain;
-    const double texel_m = texel_of(water), radius = drawn_radius(rain, water), narrower = rain.radius_m / radius;
+    const double texel_m = texel_of(water), radius = grid_radius(rain, water), narrower = rain.radius_m / radius;
     const double cell_m = static_cast<double>(cell_texels) * texel_m;
     mean_ = rain.drops_per_m2_s * cell_m * cell_m / water.ticks_per_s;
     none_ = det::exp(-mean_);
@@ -122,11 +122,11 @@ void RainDrops::for_drops(std::uint64_t state, std::int64_t cell_x, std::int64_t
     double likely = none_, up_to = none_;
     for (int drop = 1; drop <= max_in_a_cell && u >= up_to; ++drop) {
         // One random number gives the position, of which a cell has 64 along each axis.
-        const std::uint64_t place = split_mix(state + static_cast<std::uint64_t>(drop) * golden_gamma);
-        of_drop(Drop{.x = cell_x * cell_texels + static_cast<std::int64_t>(place >> 61),
-                     .z = cell_z * cell_texels + static_cast<std::int64_t>(place >> 55 & 7),
-                     .subtexel_x = static_cast<std::size_t>(place >> 58 & 7),
-                     .subtexel_z = static_cast<std::size_t>(place >> 52 & 7)});
+        const std::uint64_t bits = split_mix(state + static_cast<std::uint64_t>(drop) * golden_gamma);
+        of_drop(Drop{.x = cell_x * cell_texels + static_cast<std::int64_t>(bits >> 61),
+                     .z = cell_z * cell_texels + static_cast<std::int64_t>(bits >> 55 & 7),
+                     .subtexel_x = static_cast<std::size_t>(bits >> 58 & 7),
+                     .subtexel_z = static_cast<std::size_t>(bits >> 52 & 7)});
         likely *= mean_ / drop;
         up_to += likely;
     }

@@ -55,7 +55,7 @@ class RainDrops {
     Rain rain_;
     double none_ = 1;            ///< probability that a cell has no drop in a tick
     double mean_ = 0;            ///< mean number of drops of a cell and tick
-    float height_ = 0;           ///< as drawn
+    float height_ = 0;           ///< on the grid
     std::int64_t reach_ = 0;     ///< texels below a drop's texel; one more above it
     std::vector<Shape> shapes_;  ///< width() texels for each subtexel position of a drop's centre
 };

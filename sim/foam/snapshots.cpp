@@ -173,7 +173,7 @@ void FoamSnapshots::make_levels(std::size_t cascade) {
                                   .to = chain + mip_offset(n, level)});
 }
 
-void FoamSnapshots::show(const TickClock& clock, const TickPlace& time) {
+void FoamSnapshots::set_views(const TickClock& clock, const TickTime& time) {
     const double since = static_cast<double>(time.fraction) * 0x1p-32;
     SnapshotFoam& foam = slots_.frame().foam;
     for (int back = 0; back < TickClock::kept_ticks; ++back)

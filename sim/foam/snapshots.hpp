@@ -47,7 +47,7 @@ class FoamSnapshots {
     void begin_tick(std::size_t cascade, const CascadeGrid& grid, float compression_scale, const TickClock& clock,
                     std::int64_t number);
     /// Gives the frame in the back slot the snapshots, as of the last tick before its time.
-    void show(const TickClock& clock, const TickPlace& time);
+    void set_views(const TickClock& clock, const TickTime& time);
 
     std::size_t bytes() const;
 

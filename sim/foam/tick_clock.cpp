@@ -18,7 +18,7 @@ TickClock::TickClock(double loop_period_s)
 
 // A tick's fraction of the loop is rounded by up to half a unit of 2^-32, so one unit is added
 // before truncation.
-TickPlace TickClock::at(double time_s) const {
+TickTime TickClock::at(double time_s) const {
     const std::uint64_t turns = loop_fraction(time_s, loop_period_s_).turns;
     const std::uint64_t ticks = static_cast<std::uint64_t>(ticks_);
     const std::uint64_t place = turns * ticks + ticks;

@@ -6,7 +6,7 @@
 namespace pelagic {
 
 /// A time, in ticks.
-struct TickPlace {
+struct TickTime {
     std::int64_t number = 0;     ///< of the last tick, counted from t = 0
     std::uint32_t fraction = 0;  ///< fraction of a tick since then, in units of 2^-32
 };
@@ -27,7 +27,7 @@ class TickClock {
 
     /// Converts a time to ticks. Times that differ by a whole number of loops have identical
     /// fractions. Beyond 2^40 loops the loop number is clamped to 2^40. \pre time_s is finite
-    TickPlace at(double time_s) const;
+    TickTime at(double time_s) const;
     double time_s(std::int64_t number) const { return static_cast<double>(number) * loop_period_s_ / ticks_; }
     /// Returns the time of the corresponding tick in the first loop, at which the waves are
     /// identical.

@@ -90,7 +90,7 @@ void FoamPart::set_due(int count) {
 /// Gives the frame the foam of the kept ticks.
 void FoamPart::set_views() {
     slots_.frame().foam.level = static_cast<float>(slots_.frame().statistics.foam_level);
-    snapshots_.show(clock(), frame_tick_);
+    snapshots_.set_views(clock(), frame_tick_);
 }
 
 }  // namespace pelagic

@@ -43,7 +43,7 @@ class FoamPart final : public FramePart {
     bool repeats_;
     FoamSnapshots snapshots_;
     std::optional<std::size_t> drift_sea_;     ///< sea with whose drift snapshots are stored
-    TickPlace frame_tick_;                     ///< of the frame that was begun last
+    TickTime frame_tick_;                      ///< of the frame that was begun last
     std::optional<std::int64_t> newest_tick_;  ///< none: no tick is kept
     TicksDue due_;
     /// The ticks become invalid after the frame in flight.

@@ -31,9 +31,10 @@ constexpr std::array shore_field_table = {
     NumericField<ShoreOptions>{"corner_z_m", &ShoreOptions::corner_z_m, -1e8, 1e8, "[-1e8, 1e8]"},
     NumericField<ShoreOptions>{"metres_per_sample", &ShoreOptions::metres_per_sample, 0.001, 10000, "[0.001, 10000]"},
     NumericField<ShoreOptions>{"resolution", &ShoreOptions::resolution, 64, 1024, "64, 128, 256, 512 or 1024",
-                               Among::powers_of_two},
+                               Restriction::powers_of_two},
     NumericField<ShoreOptions>{"fade_m", &ShoreOptions::fade_m, 0, 1e8, "[0, half the field's shorter side]"},
-    NumericField<ShoreOptions>{"swash_m", &ShoreOptions::swash_m, 0, 10, "[0, 10], or -1: derived", Among::all, -1},
+    NumericField<ShoreOptions>{"swash_m", &ShoreOptions::swash_m, 0, 10, "[0, 10], or -1: derived", Restriction::none,
+                               -1},
 };
 
 }  // namespace
@@ -60,7 +61,7 @@ std::string check(const ShoreOptions& options, const SeaState& sea) {
     if (std::string reason = check(options); !reason.empty()) return reason;
     if (sea.waves == WaveModel::pond)
         return invalid_value_message("waves", name_of(sea.waves), "spectrum or analytic where there is a shore");
-    if (has_papers_spectrum(sea))
+    if (is_phillips_paper(sea))
         return invalid_value_message("spectrum", name_of(sea.spectrum),
                                      "one with a physical height where there is a shore");
     if (const int cascades = cascades_of(sea); cascades < 2)

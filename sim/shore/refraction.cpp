@@ -226,13 +226,13 @@ void Refraction::sort_by_arrival() {
             arrivals_.push_back(
                 {std::bit_cast<std::uint64_t>(phase_[texel] + 0.0), static_cast<std::uint32_t>(texel)});
     sorted_.resize(arrivals_.size());
-    std::vector<std::uint32_t> places(last + 1);
+    std::vector<std::uint32_t> offsets(last + 1);
     for (int digit = 0; digit < digits; ++digit) {
         const auto digit_of = [&](const Arrival& arrival) { return arrival.phase_bits >> digit * digit_bits & last; };
-        std::fill(places.begin(), places.end(), 0u);
-        for (const Arrival& arrival : arrivals_) ++places[digit_of(arrival)];
-        std::exclusive_scan(places.begin(), places.end(), places.begin(), 0u);
-        for (const Arrival& arrival : arrivals_) sorted_[places[digit_of(arrival)]++] = arrival;
+        std::fill(offsets.begin(), offsets.end(), 0u);
+        for (const Arrival& arrival : arrivals_) ++offsets[digit_of(arrival)];
+        std::exclusive_scan(offsets.begin(), offsets.end(), offsets.begin(), 0u);
+        for (const Arrival& arrival : arrivals_) sorted_[offsets[digit_of(arrival)]++] = arrival;
         arrivals_.swap(sorted_);
     }
     order_.clear();

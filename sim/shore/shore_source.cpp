@@ -58,14 +58,14 @@ double eased(double fraction) {
 /// Returns the factor, at most 1, that limits `value` to a maximum.
 double attenuation_to(double max, double value) { return value > max ? max / value : 1; }
 
-/// Calls take(texel) for the neighbours of a texel along both axes.
+/// Calls visit(texel) for the neighbours of a texel along both axes.
 template <class Take>
-void for_neighbours(const SeaBed& bed, int i, int j, Take take) {
+void for_neighbours(const SeaBed& bed, int i, int j, Take visit) {
     const std::size_t here = bed.at(i, j), columns = static_cast<std::size_t>(bed.columns);
-    if (i > 0) take(here - 1);
-    if (i + 1 < bed.columns) take(here + 1);
-    if (j > 0) take(here - columns);
-    if (j + 1 < bed.rows) take(here + columns);
+    if (i > 0) visit(here - 1);
+    if (i + 1 < bed.columns) visit(here + 1);
+    if (j > 0) visit(here - columns);
+    if (j + 1 < bed.rows) visit(here + columns);
 }
 
 /// Returns the height above still water of the run-up that 2 % of the waves exceed, with the set-up
@@ -97,11 +97,11 @@ double waterline_slope(const SeaBed& bed) {
     return *middle;
 }
 
-/// Calls take(texel, neighbours) for the texels of sand that waves may reach, from the water on: a
+/// Calls visit(texel, neighbours) for the texels of sand that waves may reach, from the water on: a
 /// texel comes after those of its neighbours that are in `neighbours`.
 /// \param swash_texels  largest distance from the water, in texels
 template <class Take>
-void for_sand(const SeaBed& bed, double swash_m, int swash_texels, Take take) {
+void for_sand(const SeaBed& bed, double swash_m, int swash_texels, Take visit) {
     std::vector<std::uint8_t> is_known(bed.texels());
     std::vector<std::size_t> edge, next, from;
     for (std::size_t texel = 0; texel < bed.texels(); ++texel)
@@ -125,7 +125,7 @@ void for_sand(const SeaBed& bed, double swash_m, int swash_texels, Take take) {
             for_those_around(here, [&](std::size_t texel) {
                 if (is_known[texel]) from.push_back(texel);
             });
-            take(here, from);
+            visit(here, from);
         }
         for (const std::size_t here : next) is_known[here] = 1;
         std::swap(edge, next);
@@ -266,7 +266,7 @@ void ShoreSource::bake_wave(std::size_t number) {
         if (!(amplitude_m > min_shore_amplitude_m)) continue;
         const auto [sine, cosine] =
             det::sine_cosine_of_turns((phase[texel] + refraction.corner_phase()) / two_pi + wave.phase_turns);
-        float* const at = amplitudes_.data() + place_of(texel, number);
+        float* const at = amplitudes_.data() + amplitude_offset(texel, number);
         at[0] = static_cast<float>(amplitude_m * cosine);
         at[group_texels] = static_cast<float>(amplitude_m * sine);
     }
@@ -329,14 +329,14 @@ void ShoreSource::bake_shelter(std::size_t number) {
     return_workspace(std::move(workspace));
 }
 
-std::size_t ShoreSource::place_of(std::size_t texel, std::size_t wave) const {
+std::size_t ShoreSource::amplitude_offset(std::size_t texel, std::size_t wave) const {
     return (texel / group_texels * waves_.size() + wave) * 2 * group_texels + texel % group_texels;
 }
 
 ShoreSource::Variance ShoreSource::variance_of_waves(std::size_t texel) const {
     double squares = 0, squares_of_sums = 0, sum_re = 0, sum_im = 0;
     for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
-        const float* const at = amplitudes_.data() + place_of(texel, wave);
+        const float* const at = amplitudes_.data() + amplitude_offset(texel, wave);
         const double re = static_cast<double>(at[0]), im = static_cast<double>(at[group_texels]);
         squares += re * re + im * im;
         sum_re += re, sum_im += im;
@@ -373,11 +373,11 @@ void ShoreSource::bake_weights(std::size_t row) {
         const double coarsest = det::sine_cosine_of_turns(0.25 * shore).cosine;
         bake_->weights[0][texel] = static_cast<float>(coarsest);
         double variance = variance_of_waves(texel).of_all + coarsest * coarsest * bake_->variances[0];
-        const double place = depth_intervals * std::sqrt(depth_m / bake_->deepest_m);
-        const auto cell = static_cast<std::size_t>(std::min(place, depth_intervals - 1.0));
+        const double at = depth_intervals * std::sqrt(depth_m / bake_->deepest_m);
+        const auto cell = static_cast<std::size_t>(std::min(at, depth_intervals - 1.0));
         for (std::size_t cascade = 0; cascade < bake_->depth_attenuations.size(); ++cascade) {
             const std::vector<double>& table = bake_->depth_attenuations[cascade];
-            const double stands = table[cell] + (place - static_cast<double>(cell)) * (table[cell + 1] - table[cell]);
+            const double stands = table[cell] + (at - static_cast<double>(cell)) * (table[cell + 1] - table[cell]);
             const double weight = 1 - shore * (1 - sheltered * stands);
             bake_->weights[cascade + 1][texel] = static_cast<float>(weight);
             variance += weight * weight * bake_->variances[cascade + 1];
@@ -447,7 +447,7 @@ void ShoreSource::bake_heights(std::size_t row) {
             bake_->attenuation[texel] *
             attenuation_to(std::sqrt(std::max(0.0, max_m * max_m - cascades_m * cascades_m)), here_m);
         for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
-            float* const at = amplitudes_.data() + place_of(texel, wave);
+            float* const at = amplitudes_.data() + amplitude_offset(texel, wave);
             at[0] = static_cast<float>(attenuation * static_cast<double>(at[0]));
             at[group_texels] = static_cast<float>(attenuation * static_cast<double>(at[group_texels]));
         }

@@ -70,7 +70,7 @@ class ShoreSource final : public FramePart {
     };
     /// Returns the index in amplitudes_ of a wave's real part; the imaginary part is group_texels
     /// later.
-    std::size_t place_of(std::size_t texel, std::size_t wave) const;
+    std::size_t amplitude_offset(std::size_t texel, std::size_t wave) const;
     Variance variance_of_waves(std::size_t texel) const;
     /// Returns the largest height of waves on sand, above still water.
     double highest_on_sand_m(std::size_t texel) const;

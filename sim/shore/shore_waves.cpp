@@ -33,13 +33,13 @@ struct Reach {
           max_k(std::min(cascade.max_k, 0.5 * cascade.resolution * cascade.spacing())) {}
 };
 
-/// Calls take(k, energy of the shell) for each shell, from long waves to short ones.
+/// Calls visit(k, energy of the shell) for each shell, from long waves to short ones.
 template <class Take>
-void for_shells(const WaveSpectrum& spectrum, const CascadePlan& cascade, Take take) {
+void for_shells(const WaveSpectrum& spectrum, const CascadePlan& cascade, Take visit) {
     const Reach reach(cascade);
     const double ratio = det::pow(reach.max_k / reach.min_k, 1.0 / shells), step = det::log(ratio);
     double k = reach.min_k * std::sqrt(ratio);
-    for (int shell = 0; shell < shells; ++shell, k *= ratio) take(k, spectrum.radial_density(k) * k * step);
+    for (int shell = 0; shell < shells; ++shell, k *= ratio) visit(k, spectrum.radial_density(k) * k * step);
 }
 
 /// Returns the direction, in turns, that is a quantile of the energy of a wave number over
@@ -63,7 +63,7 @@ double direction_turns(const WaveSpectrum& spectrum, double k, double wind_turns
     return wind_turns;
 }
 
-std::vector<ShoreWave> drawn_waves(const SeaState& sea, const CascadePlan& coarsest) {
+std::vector<ShoreWave> realised_waves(const SeaState& sea, const CascadePlan& coarsest) {
     const WaveSpectrum spectrum(sea, coarsest);
     double all = 0;
     for_shells(spectrum, coarsest, [&](double, double energy) { all += energy; });
@@ -135,7 +135,7 @@ std::vector<ShoreWave> listed_waves(const SeaState& sea, const CascadePlan& coar
 }  // namespace
 
 std::vector<ShoreWave> shore_waves(const SeaState& sea, const CascadePlan& coarsest) {
-    return sea.waves == WaveModel::analytic ? listed_waves(sea, coarsest) : drawn_waves(sea, coarsest);
+    return sea.waves == WaveModel::analytic ? listed_waves(sea, coarsest) : realised_waves(sea, coarsest);
 }
 
 DepthAttenuation::DepthAttenuation(const SeaState& sea, const CascadePlan& cascade) {

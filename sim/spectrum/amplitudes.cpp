@@ -90,16 +90,16 @@ CascadeWaves::MirroredVariances CascadeWaves::cell_variances(int m, int n) const
 CascadeWaves::MirroredPair CascadeWaves::pair(int m, int n) const {
     if (!spectrum_) return {{listed(m, n), listed(-m, -n)}, {listed(-m, n), listed(m, -n)}};
     const auto [plus, minus] = variances(m, n);
-    return {{drawn(plus.along, m, n), drawn(plus.against, -m, -n)},
-            {drawn(minus.along, -m, n), drawn(minus.against, m, -n)}};
+    return {{realised(plus.along, m, n), realised(plus.against, -m, -n)},
+            {realised(minus.along, -m, n), realised(minus.against, m, -n)}};
 }
 
 std::complex<double> CascadeWaves::amplitude(int m, int n) const {
     if (!spectrum_) return listed(m, n).amplitude;
-    return holds(m, n) ? drawn(variances(m, n).plus.along, m, n).amplitude : std::complex<double>{};
+    return holds(m, n) ? realised(variances(m, n).plus.along, m, n).amplitude : std::complex<double>{};
 }
 
-double CascadeWaves::drawn_square(double variance, int m, int n) const {
+double CascadeWaves::realised_square(double variance, int m, int n) const {
     if (!spectrum_) return variance;
     return 0.5 * variance * gaussian_pair_square(seed_, cascade_.number, m, n);
 }
@@ -115,7 +115,7 @@ Wave CascadeWaves::listed(int m, int n) const {
     return wave;
 }
 
-Wave CascadeWaves::drawn(double variance, int m, int n) const {
+Wave CascadeWaves::realised(double variance, int m, int n) const {
     // Real and imaginary part of the draw have variance 1, so each gets half of E|h0|^2.
     const double scale = std::sqrt(0.5 * variance);
     if (scale < min_drawn_amplitude_m) return {};

@@ -25,7 +25,7 @@ struct OppositeWaves {
     Wave along, against;
 
     double expected_square() const { return along.variance + against.variance; }
-    double drawn_square() const { return std::norm(along.amplitude) + std::norm(against.amplitude); }
+    double realised_square() const { return std::norm(along.amplitude) + std::norm(against.amplitude); }
 };
 
 /// The waves of one cascade. Member functions are const and thread-safe.
@@ -65,7 +65,7 @@ class CascadeWaves {
 
     /// Returns |h0|^2 of the wave (m, n) for this seed, m^2, at lower cost than the wave itself.
     /// \param variance  E|h0|^2 of the wave, m^2
-    double drawn_square(double variance, int m, int n) const;
+    double realised_square(double variance, int m, int n) const;
 
     /// Returns h0 of the wave (m, n), metres (VR Ocean, equation 13); 0 if the cascade holds no
     /// such wave.
@@ -74,7 +74,7 @@ class CascadeWaves {
    private:
     MirroredVariances point_variances(double m, double n) const;
     MirroredVariances cell_variances(int m, int n) const;
-    Wave drawn(double variance, int m, int n) const;
+    Wave realised(double variance, int m, int n) const;
     Wave listed(int m, int n) const;
 
     std::uint32_t seed_;

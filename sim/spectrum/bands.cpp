@@ -63,7 +63,7 @@ double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
     return last;
 }
 
-bool is_stack(const SeaState& sea) { return !is_cascade_for_good(sea); }
+bool is_stack(const SeaState& sea) { return !is_limited_to_one_cascade(sea); }
 
 /// Margin that keeps an analytic sea's shortest wave resolved. Sides are rounded up, each by a
 /// tenth at most.

@@ -29,11 +29,11 @@ double group_velocity_from(double tanh_kd, double k, const Water& water) {
     return (gravity + tension) / (2 * omega);
 }
 
-/// Calls take(first, count) for consecutive batches of `size` values.
+/// Calls visit(first, count) for consecutive batches of `size` values.
 template <class Take>
-void for_batches(std::size_t size, Take take) {
+void for_batches(std::size_t size, Take visit) {
     for (std::size_t first = 0; first < size; first += det::batch_size)
-        take(first, std::min(det::batch_size, size - first));
+        visit(first, std::min(det::batch_size, size - first));
 }
 
 }  // namespace

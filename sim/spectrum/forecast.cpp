@@ -39,9 +39,9 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     if (sea.waves == WaveModel::pond)
         return invalid_value_message(of_change("waves", number), name_of(sea.waves),
                                      "spectrum or analytic: a pond does not change");
-    if (has_papers_spectrum(first) != has_papers_spectrum(sea))
+    if (is_phillips_paper(first) != is_phillips_paper(sea))
         return refused("spectrum", name_of(sea.spectrum),
-                       has_papers_spectrum(first) ? "phillips-paper" : "a physical one");
+                       is_phillips_paper(first) ? "phillips-paper" : "a physical one");
     struct Fixed {
         std::string_view name;
         double first, is;
@@ -57,12 +57,12 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     return {};
 }
 
-std::string too_long(const std::string& place, const SeaState& sea, double largest_peak_m) {
+std::string too_long(const std::string& prefix, const SeaState& sea, double largest_peak_m) {
     if (largest_peak_m == 0) return {};  // skip the search for the peak, which is expensive
     const double peak_m = WaveReach::of(sea).peak_m;
     if (peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
     return invalid_value_message(
-        place + "peak_wavelength_m", peak_m,
+        prefix + "peak_wavelength_m", peak_m,
         "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
 }
 

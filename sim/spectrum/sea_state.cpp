@@ -15,16 +15,17 @@ namespace {
 constexpr int min_resolution_of_stacks = 32;
 
 constexpr std::array sea_state_field_table = {
-    SeaStateField{"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4, or 0: chosen", Among::all, 0},
+    SeaStateField{"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4, or 0: chosen", Restriction::none, 0},
     SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048, or 0: chosen",
-                  Among::powers_of_two, 0},
-    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6], or 0: chosen", Among::all, 0},
-    SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Among::above_min},
+                  Restriction::powers_of_two, 0},
+    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6], or 0: chosen",
+                  Restriction::none, 0},
+    SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Restriction::above_min},
     SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
-    SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Among::above_min},
+    SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Restriction::above_min},
     SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
     SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
-    SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Among::all, -1},
+    SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Restriction::none, -1},
     SeaStateField{"short_wave_cutoff", &SeaState::short_wave_cutoff, 0, 1, "[0, 1]"},
     SeaStateField{"wind_alignment", &SeaState::wind_alignment, 0, 1, "[0, 1]"},
     SeaStateField{"swell_height_m", &SeaState::swell_height_m, 0, 30, "[0, 30]"},
@@ -33,36 +34,36 @@ constexpr std::array sea_state_field_table = {
     SeaStateField{"swell_spread_rad", &SeaState::swell_spread_rad, two_pi / 360, 2 * two_pi / 9, "[pi/180, 4 pi/9]"},
     SeaStateField{"loop_period_s", &SeaState::loop_period_s, 0.1, 86400, "[0.1, 86400]"},
     SeaStateField{"seed", &SeaState::seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
-    SeaStateField{"wave_count", &SeaState::wave_count, 1, 64, "1 to 64, or 0: chosen", Among::all, 0},
-    SeaStateField{"longest_wave_m", &SeaState::longest_wave_m, 0.02, 1000, "[0.02, 1000], or 0: chosen", Among::all,
-                  0},
-    SeaStateField{"shortest_wave_m", &SeaState::shortest_wave_m, 0.01, 1000, "[0.01, 1000], or 0: chosen", Among::all,
-                  0},
+    SeaStateField{"wave_count", &SeaState::wave_count, 1, 64, "1 to 64, or 0: chosen", Restriction::none, 0},
+    SeaStateField{"longest_wave_m", &SeaState::longest_wave_m, 0.02, 1000, "[0.02, 1000], or 0: chosen",
+                  Restriction::none, 0},
+    SeaStateField{"shortest_wave_m", &SeaState::shortest_wave_m, 0.01, 1000, "[0.01, 1000], or 0: chosen",
+                  Restriction::none, 0},
     SeaStateField{"wave_strength", &SeaState::wave_strength, 0, 2, "[0, 2]"},
-    SeaStateField{"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], or -1: chosen", Among::all, -1},
+    SeaStateField{"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], or -1: chosen", Restriction::none, -1},
     SeaStateField{"wave_drag", &SeaState::wave_drag, 0, 1, "[0, 1]"},
 };
 
 }  // namespace
 
-bool has_papers_spectrum(const SeaState& sea) {
+bool is_phillips_paper(const SeaState& sea) {
     return sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::phillips_paper;
 }
 
-bool is_cascade_for_good(const SeaState& sea) {
-    return sea.patch_size_m > 0 || has_papers_spectrum(sea) || sea.waves == WaveModel::pond;
+bool is_limited_to_one_cascade(const SeaState& sea) {
+    return sea.patch_size_m > 0 || is_phillips_paper(sea) || sea.waves == WaveModel::pond;
 }
 
 int cascades_of(const SeaState& sea) {
     if (sea.cascades != 0) return sea.cascades;
     const bool is_one =
-        is_cascade_for_good(sea) || (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks);
+        is_limited_to_one_cascade(sea) || (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks);
     return is_one ? 1 : default_cascades;
 }
 
 int resolution_of(const SeaState& sea) {
     if (sea.resolution != 0) return sea.resolution;
-    return is_cascade_for_good(sea) ? 256 : 128;
+    return is_limited_to_one_cascade(sea) ? 256 : 128;
 }
 
 std::span<const SeaStateField> sea_state_fields() { return sea_state_field_table; }
@@ -74,7 +75,7 @@ std::string check(const SeaState& sea) {
     if (static_cast<std::size_t>(sea.spreading) >= names_of<SpreadingModel>().size())
         return "spreading is no known model";
     if (const std::string reason = check_fields(sea, sea_state_field_table); !reason.empty()) return reason;
-    const bool is_papers = has_papers_spectrum(sea);
+    const bool is_papers = is_phillips_paper(sea);
     if (sea.cascades > 1) {
         if (sea.patch_size_m > 0)
             return invalid_value_message("cascades", sea.cascades, "1 where the side of the cascade is given");

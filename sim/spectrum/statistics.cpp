@@ -43,7 +43,7 @@ struct GridSums {
     double lowest_band_hz = 0;
     Moments expected;                     ///< mean over all seeds
     std::vector<CascadeSlopes> cascades;  ///< mean over all seeds
-    Moments drawn;                        ///< for the sea's seed
+    Moments realised;                     ///< for the sea's seed
     /// Variance per frequency band for the sea's seed, m^2. Bands are band_ratio wide, and the
     /// first begins at the frequency of the longest wave.
     std::vector<double> bands;
@@ -53,17 +53,17 @@ struct GridSums {
     std::unordered_map<std::uint32_t, double> harmonics;
     /// Means over all seeds of variance times frequency, and of variance times squared frequency.
     double expected_hz = 0, expected_hz2 = 0;
-    double expected_swell = 0, drawn_swell = 0;              ///< m^2
-    double expected_convergence = 0, drawn_convergence = 0;  ///< variances of Dx,x + Dz,z
+    double expected_swell = 0, realised_swell = 0;              ///< m^2
+    double expected_convergence = 0, realised_convergence = 0;  ///< variances of Dx,x + Dz,z
 
     /// Adds the variance of a wave. \param of_swell  the swell's contribution to `variance`, m^2
-    void add_drawn(double hertz, std::uint32_t harmonic, double variance, double of_swell) {
+    void add_realised(double hertz, std::uint32_t harmonic, double variance, double of_swell) {
         const double rise = det::log(hertz / lowest_band_hz) / det::log(band_ratio);
         const auto band = static_cast<std::size_t>(std::max(0.0, rise));
         if (band >= bands.size()) bands.resize(band + 1), swell_bands.resize(band + 1);
         bands[band] += variance;
         swell_bands[band] += of_swell;
-        drawn_swell += of_swell;
+        realised_swell += of_swell;
         harmonics[harmonic] += variance;
     }
     void add_expected(double hertz, double variance) {
@@ -102,7 +102,7 @@ double swell_share(double all, double of_wind) { return all > 0 ? std::clamp(1 -
 
 /// What a pass over the grids computes: means over all seeds, with the swell's fraction of them,
 /// and the waves of the sea's seed. Drawn waves double the cost.
-enum class Contents { means, means_by_system, drawn };
+enum class Contents { means, means_by_system, realised };
 
 /// Adds a cascade's waves. (m, n) and (-m, n) share a wave number and therefore most of the
 /// computation.
@@ -116,9 +116,9 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Contents conte
     SlopeVariance slopes;
 
     struct Variances {
-        double expected = 0, drawn = 0, drawn_swell = 0;
+        double expected = 0, realised = 0, realised_swell = 0;
     };
-    // Adds the wave (m, n) and its opposite, with expected and drawn variances. Each h~(k) is the
+    // Adds the wave (m, n) and its opposite, with expected and realised variances. Each h~(k) is the
     // sum of h0(k) and the mirrored h0(-k), so every amplitude counts twice in the variance.
     const auto add_pair = [&](const OppositeDensities& variances, const OppositeDensities& of_wind, int m, int n,
                               double k, Variances& of_shell) {
@@ -135,12 +135,12 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Contents conte
             against_share = swell_share(variances.against, of_wind.against);
             sums.expected_swell += 2 * (variances.along * along_share + variances.against * against_share);
         }
-        if (contents != Contents::drawn) return;
-        const double along = 2 * waves.drawn_square(variances.along, m, n);
-        const double against = 2 * waves.drawn_square(variances.against, -m, -n);
-        sums.drawn.add(along, against, kx / k, kz / k);
-        of_shell.drawn += along + against;
-        of_shell.drawn_swell += along * along_share + against * against_share;
+        if (contents != Contents::realised) return;
+        const double along = 2 * waves.realised_square(variances.along, m, n);
+        const double against = 2 * waves.realised_square(variances.against, -m, -n);
+        sums.realised.add(along, against, kx / k, kz / k);
+        of_shell.realised += along + against;
+        of_shell.realised_swell += along * along_share + against * against_share;
     };
     // DC and the Nyquist row and column hold no waves.
     for (int n = 0; n < cascade.resolution / 2; ++n) {
@@ -157,9 +157,10 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Contents conte
             const double horizontal = sea.choppiness * orbit_ratio(k, water.depth_m) * k;
             sums.add_expected(omega / two_pi, here.expected);
             sums.expected_convergence += here.expected * (horizontal * horizontal);
-            if (!(here.drawn > 0)) continue;
-            sums.drawn_convergence += here.drawn * (horizontal * horizontal);
-            sums.add_drawn(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.drawn, here.drawn_swell);
+            if (!(here.realised > 0)) continue;
+            sums.realised_convergence += here.realised * (horizontal * horizontal);
+            sums.add_realised(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.realised,
+                              here.realised_swell);
         }
     }
     sums.cascades.push_back({cascade.grid.side_m, cascade.resolution, slopes});
@@ -175,9 +176,9 @@ void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
         const double variance = moved.height_variance();
         if (!(variance > 0)) continue;
         sums.expected.add(variance, 0, x, z);
-        sums.drawn.add(variance, 0, x, z);
+        sums.realised.add(variance, 0, x, z);
         sums.add_expected(octave.frequency_hz, variance);
-        sums.add_drawn(octave.frequency_hz, moved.harmonic, variance, 0);
+        sums.add_realised(octave.frequency_hz, moved.harmonic, variance, 0);
         const double along = x * wind.cosine + z * wind.sine;
         const double steep = moved.shown * moved.shown * moved.slope_variance();
         slopes.upwind += steep * (along * along);
@@ -273,28 +274,28 @@ MeanPeriods drawn_periods_from(const GridSums& sums, double loop_period_s) {
     return periods_of(variance, looped.expected_hz, looped.expected_hz2);
 }
 
-/// Adds the statistics of wind sea and swell. The drawn peak period of the whole sea is that of the
+/// Adds the statistics of wind sea and swell. The realised peak period of the whole sea is that of the
 /// component which has the model's peak.
 void add_components(const SeaState& sea, std::span<const CascadePlan> plan, const GridSums& sums, SeaReport& report) {
-    const auto component = [&](double expected, double drawn, double peak_period_s,
+    const auto component = [&](double expected, double realised, double peak_period_s,
                                const std::vector<double>& bands) {
         return WaveSystem{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
-                          .drawn_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, drawn)),
+                          .realised_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, realised)),
                           .peak_period_s = peak_period_s,
-                          .drawn_peak_period_s = drawn > 0 ? peak_period_of(bands, sums.lowest_band_hz) : 0};
+                          .realised_peak_period_s = realised > 0 ? peak_period_of(bands, sums.lowest_band_hz) : 0};
     };
     std::vector<double> wind_bands = sums.bands;
     for (std::size_t band = 0; band < wind_bands.size(); ++band) wind_bands[band] -= sums.swell_bands[band];
     const SeaState wind = without_swell(sea);
     const double wind_peak_s = two_pi / peak_of(WaveSpectrum(wind, plan.front()), wind).omega;
-    report.wind_sea = component(sums.expected.variance - sums.expected_swell, sums.drawn.variance - sums.drawn_swell,
-                                wind_peak_s, wind_bands);
+    report.wind_sea = component(sums.expected.variance - sums.expected_swell,
+                                sums.realised.variance - sums.realised_swell, wind_peak_s, wind_bands);
     // The peak of Ochi and Hubble's spectrum is at swell_period_s at any depth, because it is a
     // spectrum over frequency.
-    report.swell = component(sums.expected_swell, sums.drawn_swell, sea.swell_period_s, sums.swell_bands);
+    report.swell = component(sums.expected_swell, sums.realised_swell, sea.swell_period_s, sums.swell_bands);
     const double peak_s = report.expected.peak_period_s;
     const bool is_swells = std::fabs(sea.swell_period_s - peak_s) < std::fabs(wind_peak_s - peak_s);
-    report.drawn_peak_period_s = (is_swells ? report.swell : report.wind_sea)->drawn_peak_period_s;
+    report.realised_peak_period_s = (is_swells ? report.swell : report.wind_sea)->realised_peak_period_s;
 }
 
 LoopFrequencies loop_frequencies_from(const GridSums& sums) {
@@ -333,7 +334,7 @@ WaveDirections directions_from(const Moments& moments) {
 }
 
 /// Returns whether the loop is so short that its waves may have few frequencies, which only the
-/// drawn waves show. Listed waves always have few frequencies. In a longer loop, few frequencies
+/// realised waves show. Listed waves always have few frequencies. In a longer loop, few frequencies
 /// are caused by a narrow swell or by a grid that holds few waves, for which other warnings exist.
 bool is_short_loop(const SeaState& sea, double ten_peaks_s) {
     return sea.waves == WaveModel::spectrum && sea.loop_period_s < ten_peaks_s;
@@ -396,15 +397,16 @@ SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, co
     GridSums sums = sums_over(sea, plan, contents);
     SeaReport report;
     report.expected = expected_from(asked, sums);
-    report.drawn_significant_wave_height_m = 4 * std::sqrt(sums.drawn.variance);
-    if (contents == Contents::drawn) report.drawn_peak_period_s = peak_period_of(sums.bands, sums.lowest_band_hz);
+    report.realised_significant_wave_height_m = 4 * std::sqrt(sums.realised.variance);
+    if (contents == Contents::realised)
+        report.realised_peak_period_s = peak_period_of(sums.bands, sums.lowest_band_hz);
     if (sea.waves == WaveModel::spectrum && sea.swell_height_m > 0) add_components(sea, plan, sums, report);
     report.expected_periods = periods_of(sums.expected.variance, sums.expected_hz, sums.expected_hz2);
-    report.drawn_periods = drawn_periods_from(sums, sea.loop_period_s);
+    report.realised_periods = drawn_periods_from(sums, sea.loop_period_s);
     report.expected_convergence_variance = sums.expected_convergence;
-    report.drawn_convergence_variance = sums.drawn_convergence;
+    report.realised_convergence_variance = sums.realised_convergence;
     report.expected_directions = directions_from(sums.expected);
-    report.drawn_directions = directions_from(sums.drawn);
+    report.realised_directions = directions_from(sums.realised);
     if (sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::jonswap)
         report.effective_fetch_m = effective_fetch_m(sea);
     report.cascades = std::move(sums.cascades);
@@ -418,7 +420,7 @@ SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, co
 SeaReport report_on(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<CascadePlan> plan = plan_cascades(sea);
-    return report_from(sea, plan, model_waves_of(sea, plan), Contents::drawn);
+    return report_from(sea, plan, model_waves_of(sea, plan), Contents::realised);
 }
 
 SeaReport expected_report_on(const SeaState& sea) {
@@ -426,7 +428,7 @@ SeaReport expected_report_on(const SeaState& sea) {
     const std::vector<CascadePlan> plan = plan_cascades(sea);
     const ModelWaves asked = model_waves_of(sea, plan);
     const bool needs_draws = is_short_loop(sea, ten_peak_periods_s(asked));
-    return report_from(sea, plan, asked, needs_draws ? Contents::drawn : Contents::means_by_system);
+    return report_from(sea, plan, asked, needs_draws ? Contents::realised : Contents::means_by_system);
 }
 
 double period_in_loop_s(double period_s, double loop_period_s) {
@@ -491,7 +493,7 @@ double measured_significant_wave_height_m(const Frame& frame) {
     return environment.result(4 * std::sqrt(variance));
 }
 
-double measured_peak_period_s(const SeaState& sea) { return report_on(sea).drawn_peak_period_s; }
+double measured_peak_period_s(const SeaState& sea) { return report_on(sea).realised_peak_period_s; }
 
 LoopFrequencies loop_frequencies(const SeaState& sea) { return report_on(sea).loop_frequencies; }
 

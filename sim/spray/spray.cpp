@@ -51,7 +51,7 @@ constexpr std::array option_fields = {
     NumericField<SprayOptions>{"amount", &SprayOptions::amount, 0, 10, "[0, 10]"},
     NumericField<SprayOptions>{"seed", &SprayOptions::seed, 0, UINT32_MAX, "a whole number from 0 to 4294967295"},
     NumericField<SprayOptions>{"loop_period_s", &SprayOptions::loop_period_s, 1, 1e6, "[1, 1e6], or 0 for no loop",
-                               Among::all, 0.0},
+                               Restriction::none, 0.0},
 };
 
 constexpr std::array emitter_fields = {

@@ -31,7 +31,7 @@ Displacement between(const SurfaceTexels& texels, const std::array<const float*,
     const std::ptrdiff_t upper_left = place_of(texels, i, j), upper_right = place_of(texels, i + 1, j);
     const std::ptrdiff_t lower_left = place_of(texels, i, j + 1), lower_right = place_of(texels, i + 1, j + 1);
     const auto value = [&](const float* plane) {
-        const auto texel = [plane](std::ptrdiff_t place) { return static_cast<double>(plane[place]); };
+        const auto texel = [plane](std::ptrdiff_t offset) { return static_cast<double>(plane[offset]); };
         const double upper = texel(upper_left) + right * (texel(upper_right) - texel(upper_left));
         const double lower = texel(lower_left) + right * (texel(lower_right) - texel(lower_left));
         return upper + down * (lower - upper);

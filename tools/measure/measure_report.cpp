@@ -77,30 +77,31 @@ Json wave_statistics_json(const MeasuredWaves& found, const SeaState& sea, const
     };
     const auto directions = [&](double WaveDirections::*angle) {
         return three(found.directions ? Json(direction(angle, *found.directions)) : Json(),
-                     direction(angle, report.drawn_directions), direction(angle, report.expected_directions));
+                     direction(angle, report.realised_directions), direction(angle, report.expected_directions));
     };
     Json json = {
-        {"significant_wave_height_m", three(found.significant_wave_height_m, report.drawn_significant_wave_height_m,
-                                            report.expected.significant_wave_height_m)},
+        {"significant_wave_height_m",
+         three(found.significant_wave_height_m, report.realised_significant_wave_height_m,
+               report.expected.significant_wave_height_m)},
         {"peak_period_s",
-         three(or_null(found.peak_period_s), report.drawn_peak_period_s, report.expected.peak_period_s)},
+         three(or_null(found.peak_period_s), report.realised_peak_period_s, report.expected.peak_period_s)},
         {"peak_wavelength_m", three(or_null(found.peak_wavelength_m), Json(), report.expected.peak_wavelength_m)},
         {"mean_direction_deg", directions(&WaveDirections::mean_rad)},
         {"directional_spread_deg", directions(&WaveDirections::spread_rad)},
-        {"tm01_s", three(or_null(found.tm01_s), report.drawn_periods.tm01_s, report.expected_periods.tm01_s)},
-        {"tm02_s", three(or_null(found.tm02_s), report.drawn_periods.tm02_s, report.expected_periods.tm02_s)},
-        {"zero_crossing_period_s",
-         three(or_null(found.zero_crossing_period_s), report.drawn_periods.tm02_s, report.expected_periods.tm02_s)}};
+        {"tm01_s", three(or_null(found.tm01_s), report.realised_periods.tm01_s, report.expected_periods.tm01_s)},
+        {"tm02_s", three(or_null(found.tm02_s), report.realised_periods.tm02_s, report.expected_periods.tm02_s)},
+        {"zero_crossing_period_s", three(or_null(found.zero_crossing_period_s), report.realised_periods.tm02_s,
+                                         report.expected_periods.tm02_s)}};
     if (!report.wind_sea || !report.swell) return json;
     const ComponentPeaks peaks = component_peaks(found.by_harmonic, sea);
     const auto component = [&](const std::optional<double>& peak_s, const WaveSystem& of) {
-        return three(or_null(peak_s), of.drawn_peak_period_s, of.peak_period_s);
+        return three(or_null(peak_s), of.realised_peak_period_s, of.peak_period_s);
     };
     json["wind_sea_peak_period_s"] = component(peaks.wind_sea_s, *report.wind_sea);
     json["swell_peak_period_s"] = component(peaks.swell_s, *report.swell);
     // The peak of the sum may lie between the peaks of both components. Use the component that has
     // the peak of the model.
-    const bool is_swells = report.drawn_peak_period_s == report.swell->drawn_peak_period_s;
+    const bool is_swells = report.realised_peak_period_s == report.swell->realised_peak_period_s;
     json["peak_period_s"]["found"] = or_null(is_swells ? peaks.swell_s : peaks.wind_sea_s);
     return json;
 }

@@ -152,15 +152,15 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report,
         cascades.push_back(entry);
     }
     Json json = {{"significant_wave_height_m", height},
-                 {"peak_period_s", both(expected.peak_period_s, report.drawn_peak_period_s)},
-                 {"tm01_s", both(report.expected_periods.tm01_s, report.drawn_periods.tm01_s)},
-                 {"tm02_s", both(report.expected_periods.tm02_s, report.drawn_periods.tm02_s)},
-                 {"zero_crossing_period_s", both(report.expected_periods.tm02_s, report.drawn_periods.tm02_s)},
+                 {"peak_period_s", both(expected.peak_period_s, report.realised_peak_period_s)},
+                 {"tm01_s", both(report.expected_periods.tm01_s, report.realised_periods.tm01_s)},
+                 {"tm02_s", both(report.expected_periods.tm02_s, report.realised_periods.tm02_s)},
+                 {"zero_crossing_period_s", both(report.expected_periods.tm02_s, report.realised_periods.tm02_s)},
                  {"peak_wavelength_m", expected.peak_wavelength_m},
                  {"mean_direction_deg", both(in_degrees(report.expected_directions.mean_rad),
-                                             in_degrees(report.drawn_directions.mean_rad))},
+                                             in_degrees(report.realised_directions.mean_rad))},
                  {"directional_spread_deg", both(in_degrees(report.expected_directions.spread_rad),
-                                                 in_degrees(report.drawn_directions.spread_rad))},
+                                                 in_degrees(report.realised_directions.spread_rad))},
                  {"steepness", expected.significant_wave_height_m / expected.peak_wavelength_m},
                  {"beaufort", step(beaufort_of(sea.wind_speed_mps))},
                  {"sea_state", step(sea_state_of(expected.significant_wave_height_m))},
@@ -173,10 +173,12 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report,
         json["loop_frequencies"] = {{"for_90_percent", report.loop_frequencies.for_90_percent},
                                     {"largest_share", report.loop_frequencies.largest_share}};
     if (report.expected_convergence_variance > 0)
-        json["convergence_variance"] = both(report.expected_convergence_variance, report.drawn_convergence_variance);
+        json["convergence_variance"] =
+            both(report.expected_convergence_variance, report.realised_convergence_variance);
     const auto component = [&](const WaveSystem& of) -> Json {
-        return {{"significant_wave_height_m", both(of.significant_wave_height_m, of.drawn_significant_wave_height_m)},
-                {"peak_period_s", both(of.peak_period_s, of.drawn_peak_period_s)}};
+        return {
+            {"significant_wave_height_m", both(of.significant_wave_height_m, of.realised_significant_wave_height_m)},
+            {"peak_period_s", both(of.peak_period_s, of.realised_peak_period_s)}};
     };
     if (report.wind_sea) json["wind_sea"] = component(*report.wind_sea);
     if (report.swell) json["swell"] = component(*report.swell);

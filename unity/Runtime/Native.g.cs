@@ -205,39 +205,39 @@ namespace Pelagic
         internal uint reserved;
         /// <summary>significant wave height, 4 sqrt(variance)</summary>
         public double ExpectedWaveHeightM;
-        public double DrawnWaveHeightM;
+        public double RealisedWaveHeightM;
         /// <summary>Of all waves of the model; 0 for phillips-paper, which has no scale.</summary>
         public double ModelWaveHeightM;
         /// <summary>period of the maximum of the frequency spectrum</summary>
         public double ExpectedPeakPeriodS;
         /// <summary>Young 1995; with a swell: of the system with the higher peak.</summary>
-        public double DrawnPeakPeriodS;
+        public double RealisedPeakPeriodS;
         public double PeakWavelengthM;
         /// <summary>m0 / m1, m_n = integral f^n S(f) df</summary>
         public double ExpectedTm01S;
-        public double DrawnTm01S;
+        public double RealisedTm01S;
         /// <summary>sqrt(m0 / m2), also the mean period of upward zero crossings</summary>
         public double ExpectedTm02S;
-        public double DrawnTm02S;
+        public double RealisedTm02S;
         /// <summary>direction waves run towards, from +x to +z, (-pi, pi]</summary>
         public double ExpectedDirectionRad;
-        public double DrawnDirectionRad;
+        public double RealisedDirectionRad;
         /// <summary>directional spread, [0, sqrt(2)]</summary>
         public double ExpectedSpreadRad;
-        public double DrawnSpreadRad;
+        public double RealisedSpreadRad;
         /// <summary>expected, of all cascades</summary>
         public double SlopeVarianceAlongWind;
         public double SlopeVarianceAcrossWind;
         /// <summary>of Dx,x + Dz,z</summary>
         public double ExpectedConvergenceVariance;
-        public double DrawnConvergenceVariance;
+        public double RealisedConvergenceVariance;
         /// <summary>The next six fields are for spectra with a swell; the first four are expected values.</summary>
         public double WindSeaHeightM;
         public double WindSeaPeakPeriodS;
         public double SwellHeightM;
         public double SwellPeakPeriodS;
-        public double DrawnWindSeaPeakPeriodS;
-        public double DrawnSwellPeakPeriodS;
+        public double RealisedWindSeaPeakPeriodS;
+        public double RealisedSwellPeakPeriodS;
         /// <summary>jonswap: the fetch that has an effect, at most 17,000 U10^2 / g</summary>
         public double EffectiveFetchM;
         /// <summary>side of the coarsest cascade, the period of the longest waves</summary>

@@ -46,8 +46,8 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// Writes the waves of some rows. Called from any thread, for several rows and cascades at once. Complete()
-    /// throws what it throws, as the inner exception.
+    /// Writes the waves of some rows. Called from any thread, for several rows and cascades at once. The
+    /// exception of Complete() has its exception as the inner one.
     /// </summary>
     public delegate void RowWriter(InputRows rows);
 

@@ -62,7 +62,7 @@ namespace Pelagic.Unity
             var sea = Sea.Preset(Preset);
             if (Resolution != 0) sea.Resolution = Resolution;
             Sea = sea;
-            var options = new OceanOptions { Queries = true, Velocities = Velocities, Slopes = Pelagic.Textures.On, Foam = Foam };
+            var options = new OceanOptions { Queries = true, Velocities = Velocities, Slopes = Textures.On, Foam = Foam };
             if (DynamicWaves) options.DynamicWaves = DynamicWavesOptions.Default;
             Ocean = new Ocean(sea, options);
             var info = Ocean.Info;
