@@ -15,7 +15,7 @@ namespace pelagic {
 /// three texels of the next coarser cascade.
 inline constexpr double steps_of_few_waves = 8;
 
-/// The layout of one cascade. Its wave vectors are (2 pi / side)(m, n) along the cascade's own
+/// The layout of a cascade. Its wave vectors are (2 pi / side)(m, n) along the cascade's own
 /// axes, m and n from -N/2 to N/2 - 1.
 struct CascadePlan {
     CascadeGrid grid;

@@ -21,7 +21,7 @@ struct Displacement {
     double dx = 0, height = 0, dz = 0;
 };
 
-/// Returns the displacement of one cascade, in metres. \pre the frame has planes
+/// Returns the displacement of a cascade, in metres. \pre the frame has planes
 /// (OceanOptions::planes)
 Displacement displacement_of(const Cascade& cascade, double x_m, double z_m);
 /// Returns the sum over all cascades. \pre the frame has planes

@@ -10,7 +10,7 @@
 
 namespace pelagic {
 
-/// Arrays that receive one cascade. Each span has the stated length, N being the cascade's
+/// Arrays that receive a cascade. Each span has the stated length, N being the cascade's
 /// resolution, or is empty to leave that array out. Rows are tight: texel (i, j) is element
 /// j N + i. No array may overlap another or the frame.
 struct FrameBuffers {
@@ -53,7 +53,7 @@ void copy_compression(const Cascade& cascade, std::span<float> out);
 /// Copies a frame, with one FrameBuffers for each cascade.
 /// \throws std::invalid_argument  check(...) before it writes, unless it is empty
 void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades);
-/// As above, for a frame with one cascade.
+/// As above, for a frame with 1 cascade.
 inline void copy_frame(const Frame& frame, const FrameBuffers& only_cascade) {
     copy_frame(frame, {&only_cascade, 1});
 }

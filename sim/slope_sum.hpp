@@ -16,7 +16,7 @@ struct SlopeRanges {
     float variance = 1;  ///< of h_x and h_z within a texel
 };
 
-/// Derivatives of a surface along the world's x and z at the undisplaced position, of one cascade
+/// Derivatives of a surface along the world's x and z at the undisplaced position, of a cascade
 /// or of a sum.
 struct SurfaceSlopes {
     double h_x = 0, h_z = 0;              ///< of the height

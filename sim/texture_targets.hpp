@@ -12,7 +12,7 @@
 
 namespace pelagic {
 
-/// Targets of one cascade of N^2 texels. A map without a target is part of the frame. Each byte is
+/// Targets of a cascade of N^2 texels. A map without a target is part of the frame. Each byte is
 /// written once, in rows of whole registers, and never read, so the memory may be write-combined.
 /// No target may overlap another or the frame.
 struct TextureTargets {

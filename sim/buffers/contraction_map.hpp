@@ -33,7 +33,7 @@
 
 namespace pelagic {
 
-/// The map of one cascade.
+/// The map of a cascade.
 class ContractionMap {
    public:
     /// Rows of cells per job.

@@ -56,7 +56,7 @@ class FramePart {
     FramePart& operator=(const FramePart&) = delete;
     virtual ~FramePart() = default;
 
-    /// Adds the stages of a pass that change one cascade, before its textures are computed.
+    /// Adds the stages of a pass that change a cascade, before its textures are computed.
     /// \param filled  the stages that fill the cascade
     /// \returns       the stages after which the cascade is complete
     virtual FilledBy add_cascade_stages(JobGraph&, Pass, std::size_t /*cascade*/, FilledBy filled) { return filled; }

@@ -18,7 +18,7 @@
 
 namespace pelagic {
 
-/// The buffers of one cascade of one frame.
+/// The buffers of a cascade of a frame.
 struct CascadeBuffers {
     /// \param cascades  number of cascades of the frame
     /// \param lanes  Kernels::lanes of the instruction set that computes the frame
@@ -30,8 +30,8 @@ struct CascadeBuffers {
     AlignedBuffer<float> surface;
     /// Time derivative of `surface`, if FrameContents::velocities.
     AlignedBuffer<float> velocity;
-    std::optional<FoldMap> folds;               ///< if FrameContents::queries and one cascade
-    std::optional<ContractionMap> contraction;  ///< if FrameContents::queries and several cascades
+    std::optional<FoldMap> folds;               ///< if FrameContents::queries, in a sea of 1 cascade
+    std::optional<ContractionMap> contraction;  ///< if FrameContents::queries, in a stack
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameContents::gradients
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameContents::slopes

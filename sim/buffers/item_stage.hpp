@@ -22,7 +22,7 @@ JobBody for_each_item(Item item) {
     };
 }
 
-/// Returns the name of a stage of one cascade: "evolve+rows" for the coarsest, "evolve+rows c1" for
+/// Returns the name of a stage of a cascade: "evolve+rows" for the coarsest, "evolve+rows c1" for
 /// the next.
 inline std::string stage_name(const char* stage, std::size_t cascade) {
     return cascade == 0 ? stage : std::string(stage) + " c" + std::to_string(cascade);

@@ -43,7 +43,7 @@ class ColumnSource {
     virtual void transform(std::size_t pair) = 0;
 };
 
-/// Fills the displacement of one cascade.
+/// Fills the displacement of a cascade.
 class SeaSource {
    public:
     virtual ~SeaSource() = default;

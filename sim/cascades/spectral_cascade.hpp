@@ -1,4 +1,4 @@
-// Waves of a spectrum on the grid of one cascade: the stages that transform it to displacement.
+// Waves of a spectrum on the grid of a cascade: the stages that transform it to displacement.
 //
 //   spectrum (on demand) -> evolve+rows -> columns+finalize
 //

@@ -97,7 +97,7 @@ class Weather {
                          double drift_of_usual, double tick_s);
         Sums& operator+=(const Sums& other);
         static Sums between(const Sums& before, const Sums& after, double weight);
-        /// Returns the sums of one cascade, with the Stokes drift as the drift.
+        /// Returns the sums of a cascade, with the Stokes drift as the drift.
         static Sums of(const LineStatistics& statistics, const CascadeGrid& grid);
     };
     struct Baked {

@@ -1,4 +1,4 @@
-// The waves of one cascade: their expected energies and their random amplitudes for a seed. The
+// The waves of a cascade: their expected energies and their random amplitudes for a seed. The
 // waves of an analytic sea are listed, not random, so their amplitudes equal the expected values.
 #pragma once
 
@@ -28,7 +28,7 @@ struct OppositeWaves {
     double realised_square() const { return std::norm(along.amplitude) + std::norm(against.amplitude); }
 };
 
-/// The waves of one cascade. Member functions are const and thread-safe.
+/// The waves of a cascade. Member functions are const and thread-safe.
 class CascadeWaves {
    public:
     /// \pre check(sea) is empty; `cascade` is one of plan_cascades(sea)

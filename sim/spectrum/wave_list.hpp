@@ -40,7 +40,7 @@ struct GridWave {
     std::complex<double> half_amplitude() const;
 };
 
-/// Returns the waves of one cascade. Several waves may have one grid index.
+/// Returns the waves of a cascade. Several waves may have one grid index.
 /// \pre check(sea) is empty, sea.waves is analytic, and `cascade` is one of plan_cascades(sea)
 std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade);
 

@@ -14,7 +14,7 @@ namespace pelagic {
 
 /// The fold stages of a frame. A single cascade has a fold map. Several cascades have a contraction
 /// map each. Their second stages wait for the first stages of all cascades, because the search
-/// radius in one cascade depends on the displacement of the others.
+/// radius in a cascade depends on the displacement of the others.
 class FoldStages final : public FramePart {
    public:
     FoldStages(FrameSlots& slots, const Kernels& kernels) : slots_(slots), kernels_(kernels) {}

@@ -1,4 +1,4 @@
-// Stages `slopes+mipmaps` and `slopes tail` of one cascade: they compute the two maps of
+// Stages `slopes+mipmaps` and `slopes tail` of a cascade: they compute the two maps of
 // sim/slope_sum.hpp from its surface.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace pelagic {
 /// Returns the slope that a byte step of the slope maps stands for.
 inline float slope_step(const SlopeRanges& ranges) { return ranges.slope / 127.f; }
 
-/// Input and output of the slope stages of one cascade. A view: it owns no memory.
+/// Input and output of the slope stages of a cascade. A view: it owns no memory.
 struct SlopeMaps {
     /// Column blocks (wave_blocks.hpp); null for make_tail().
     const float* surface;

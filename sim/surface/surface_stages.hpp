@@ -14,7 +14,7 @@
 
 namespace pelagic {
 
-/// The texture stages of one cascade.
+/// The texture stages of a cascade.
 class SurfaceStages {
    public:
     SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels);

@@ -51,7 +51,7 @@ TextureImage as_texture_image(MapImage image) {
     return {image.side, image.side, image.channels, image.sample, std::move(image.pixels)};
 }
 
-/// Returns true for a map of the sea instead of one cascade, which has no smaller levels.
+/// Returns true for a map of the sea instead of a cascade, which has no smaller levels.
 bool is_of_patch(MapKind map, const MapOptions& options) { return map == MapKind::foam && options.foam_patch; }
 
 std::vector<ImageFile> cascade_files(const ExportOptions& options, int frame) {

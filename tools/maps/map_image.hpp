@@ -1,4 +1,4 @@
-// The pixels of one map of one cascade for any file format: interleaved channels, rows from the
+// The pixels of one map of a cascade for any file format: interleaved channels, rows from the
 // top.
 #pragma once
 

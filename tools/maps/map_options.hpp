@@ -35,7 +35,7 @@ enum class FirstRow { top, bottom };
 
 /// Content of one file.
 enum class Pack {
-    files,   ///< one map of one cascade
+    files,   ///< one map of a cascade
     layers,  ///< all maps of a frame, as layers of one EXR image
     parts,   ///< all maps of a frame, as parts of one multi-part EXR file
 };

@@ -19,7 +19,7 @@
 
 namespace pelagic::tools {
 
-/// Positions and times of the heights of one cascade.
+/// Positions and times of the heights of a cascade.
 struct HeightSeries {
     CascadePlan cascade;
     double depth_m = 0;
