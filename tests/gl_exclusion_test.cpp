@@ -403,7 +403,8 @@ TEST_F(GlExclusion, KeepsEachEyeInACockpitDry) {
                 gl::eye_of({.position_m = at, .target_m = at - glm::dvec3(0.1, 1, 0)}, {i * side, 0, side, side});
         }
         // The surface is behind the eyes. Its programs for a wet lens take seconds to compile.
-        const DrawList below;
+        DrawList below;
+        below.grid.vertices = 2;
         gl::DrawInput input{.eyes = eyes, .viewer_m = seat, .list = &below, .draws_sky = false};
         input.camera_water_plane = gl::camera_water_plane(SurfaceQuery(frame), seat);
         input.exclusions = exclusions;

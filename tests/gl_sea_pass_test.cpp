@@ -43,12 +43,15 @@ class GlSeaPass : public testing::Test {
     GlScene scene_{{.preset = "calm",
                     .quality = "low",
                     .resolution = 32,
+                    .cascades = 1,
+                    .patch_size_m = 32,
                     .width = width,
                     .height = height,
                     .size_m = 512,
+                    .shading = gl::Shading::medium,
                     .depth_m = depth_m,
                     .lens_may_dip = true}};
-    const gl::RendererOptions options_{.resolution = 32, .cascades = scene_.ocean.cascade_count()};
+    const gl::RendererOptions options_{.resolution = 32, .cascades = 1, .shading = gl::Shading::medium};
     gl::SeaRenderer steps_{scene_.gl(), options_};
     const SprayDroplet droplet_{.x_m = 3, .y_m = 0.8, .z_m = 2, .radius_m = 0.5, .opacity = 0.5f};
     const Camera above_{.position_m = {0, 1.5, 0}, .target_m = {6, -1, 4}};

@@ -40,8 +40,11 @@ inline std::vector<std::uint8_t> image_of_slice(GlScene& scene, const Frame& fra
                       .position_m = {middle.x, 30, middle.y},
                       .viewport = {0, 0, slice_pixels, slice_pixels}};
     scene.target->clear({1, 0, 1});
-    scene.pass->upload(frame);
-    scene.pass->draw({.eyes = {&eye, 1}, .viewer_m = viewer, .draws_sky = false});
+    scene.renderer->upload(frame);
+    scene.renderer->draw({.eyes = {&eye, 1},
+                          .viewer_m = viewer,
+                          .list = &scene.selection.select({.viewer_m = viewer}),
+                          .draws_sky = false});
     return scene.target->read();
 }
 

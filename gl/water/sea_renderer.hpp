@@ -83,7 +83,7 @@ struct DrawInput {
     /// Viewer of the quadtree selection; default: the middle of the eyes. Eyes of separate draws
     /// need the same viewer. Positions in the shaders are relative to it.
     std::optional<glm::dvec3> viewer_m = {};
-    const DrawList* list = nullptr;  ///< set by SeaPass
+    const DrawList* list = nullptr;  ///< of a Selection; set by SeaPass
     DrawMode mode = DrawMode::shaded;
     bool draws_sky = true;
     /// Factor applied to radiance before the tone curve. If empty, the sky's exposure is used.
