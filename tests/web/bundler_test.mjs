@@ -1,7 +1,7 @@
-// The npm package in a page that Vite builds, in headless Chromium:
-//   usage: node bundler_test.mjs PACKAGE MODULES GOLDEN
-// MODULES is a folder node_modules with puppeteer-core and vite. The settings are those of the
-// package's README.
+// The npm package in a page that a bundler builds, in headless Chromium:
+//   usage: node bundler_test.mjs BUNDLER PACKAGE MODULES GOLDEN
+// BUNDLER is Vite, Esbuild or Webpack. MODULES is a folder node_modules with it and puppeteer-core.
+// The settings are those of the package's README.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -13,21 +13,45 @@ import { pathToFileURL } from 'node:url';
 import { differences } from './golden_seas.js';
 import { serve } from './server.js';
 
-const [folder, modules, golden] = process.argv.slice(2);
-const puppeteer = createRequire(join(modules, 'from_here.js'))('puppeteer-core');
+const [bundler, folder, modules, golden] = process.argv.slice(2);
+const require = createRequire(join(modules, 'from_here.js'));
+const puppeteer = require('puppeteer-core');
 const readme = readFileSync(join(folder, 'README.md'), 'utf8');
-const site = mkdtempSync(join(tmpdir(), 'pelagic-vite-'));
+const site = mkdtempSync(join(tmpdir(), 'pelagic-bundler-'));
+const write = (name, text) => writeFileSync(join(site, name), text);
+const writePage = (name, script) => write(name, `<!doctype html><title>sea</title><script type="module" src="${script}"></script>`);
+
+/** Each builds main.js into the folder dist, with index.html. */
+const builds = {
+  async Vite() {
+    writePage('index.html', '/main.js');
+    write('vite.config.js', readme.match(/```javascript\n\/\/ vite\.config\.js\n([^]*?)```/)[1]);
+    const { build } = await import(pathToFileURL(join(modules, 'vite/dist/node/index.js')));
+    await build({ root: site, logLevel: 'warn' });
+  },
+  async Esbuild() {
+    const env = { ...process.env, PATH: `${join(modules, '.bin')}:${process.env.PATH}` };
+    execFileSync('sh', ['-ec', readme.match(/```bash\n(esbuild [^]*?)```/)[1]], { cwd: site, env, stdio: 'inherit' });
+    writePage('dist/index.html', './main.js');
+  },
+  async Webpack() {
+    await new Promise((resolve, reject) => {
+      const output = { path: join(site, 'dist') };
+      require('webpack')({ context: site, mode: 'production', entry: './main.js', output }, (error, stats) => {
+        if (error || stats.hasErrors()) reject(error ?? new Error(stats.toString()));
+        else resolve();
+      });
+    });
+    writePage('dist/index.html', './main.js');
+  },
+};
 
 let browser, server;
 before(async () => {
   cpSync(folder, join(site, 'node_modules/pelagic'), { recursive: true, dereference: true });
-  const write = (name, text) => writeFileSync(join(site, name), text);
   write('package.json', '{"private": true, "type": "module"}');
-  write('index.html', '<!doctype html><title>sea</title><script type="module" src="/main.js"></script>');
   write('main.js', "import * as here from 'pelagic';\nimport * as worker from 'pelagic/worker';\nglobalThis.pelagic = { here, worker };\n");
-  write('vite.config.js', readme.match(/```javascript\n\/\/ vite\.config\.js\n([^]*?)```/)[1]);
-  const { build } = await import(pathToFileURL(join(modules, 'vite/dist/node/index.js')));
-  await build({ root: site, logLevel: 'warn' });
+  await builds[bundler]();
   rmSync(join(site, 'node_modules'), { recursive: true });
   server = await serve({ '/': join(site, 'dist') }, { isIsolated: true });
   browser = await puppeteer.launch({
@@ -42,7 +66,7 @@ after(async () => {
 });
 
 for (const [where, threads] of [['here', 1], ['worker', 1], ['worker', 3]])
-  test(`a built page has the golden hashes: ${where}, threads: ${threads}`, async () => {
+  test(`a page that ${bundler} builds has the golden hashes: ${where}, threads: ${threads}`, async () => {
     const page = await browser.newPage();
     await page.goto(`${server.origin}/index.html`);
     await page.waitForFunction(() => globalThis.pelagic);
