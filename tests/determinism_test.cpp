@@ -540,7 +540,7 @@ TEST(Determinism, FramesHaveTheGoldenHashes) {
             ++compared;
         }
     }
-    // Accumulated foam, of four cascades and of one.
+    // Foam, of four cascades and of one.
     for (const auto& [name, sea] : {std::pair{"foam-cascades", sea_of_cascades}, {"foam-folded", overturning_sea}}) {
         Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
         std::ostringstream hash;

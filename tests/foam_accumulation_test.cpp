@@ -110,9 +110,11 @@ TEST(FoamAccumulation, LevelInvertsCover) {
     for (double frequency_radps = 0.01; frequency_radps < 60; frequency_radps *= 3)
         for (double cover = 1e-12; cover <= 0.4; cover *= 3) {
             const FoamAccumulation foam(frequency_radps, foam_tick_s);
+            // That of the light winds in which whitecaps are rare. The largest z of a rough sea is
+            // where it folds over itself.
             FoamAccumulation::Contraction contraction;
             for (std::size_t tick = 0; tick < contraction.size(); ++tick)
-                contraction[tick] = contracts * std::cos(static_cast<double>(tick) * foam_tick_s * frequency_radps);
+                contraction[tick] = 0.05 * std::cos(static_cast<double>(tick) * foam_tick_s * frequency_radps);
             const double level = foam.level_of_area(cover, contraction);
             EXPECT_NEAR(foam.cover_of_area(level, contraction) / cover, 1, 2e-3) << frequency_radps << " rad/s";
             EXPECT_GT(foam.cover_of_area(level - 0.1, contraction), cover);

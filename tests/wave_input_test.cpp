@@ -614,7 +614,7 @@ TEST(WaveInput, ReceivesTheTimeOfFramesAndTicks) {
     const auto last = static_cast<std::int64_t>((3 * loop_s + 5.04) / clock.tick_s());
     for (std::size_t i = 1; i < 17; ++i) {
         const InputMoment& tick = spy->moments[i];
-        EXPECT_EQ(tick.place, 1U);
+        EXPECT_EQ(tick.pass_index, 1U);
         EXPECT_NEAR(tick.time_s, clock.time_s(last - 16 + static_cast<std::int64_t>(i)), 1e-9);
         EXPECT_NEAR(tick.loop_turns * 0x1p-32, (tick.time_s - 3 * loop_s) / loop_s, 1e-9);
         EXPECT_EQ(tick.grids.size(), 4U);

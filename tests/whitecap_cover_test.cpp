@@ -1,4 +1,4 @@
-// Accumulated foam covers the measured fraction of the sea.
+// Foam covers the measured fraction of the sea.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,8 +53,8 @@ double cover_over_measured_at_sea(const SeaState& sea, int seeds, int frames) {
     return mean_cover(sea, seeds, frames) / whitecap_cover(sea.wind_speed_mps);
 }
 
-// Measured with all seeds: 1.00 to 1.03 for four cascades. All bounds are less than the scatter of
-// the measurements at sea.
+// Measured with many seeds: 1.00 to 1.03 for four cascades, 0.97 to 1.03 for one. All bounds are
+// less than the scatter of the measurements at sea.
 TEST(WhitecapCover, IsThatOfMeasurementsAtSea) {
     if (is_sanitized) {
         EXPECT_NEAR(cover_over_measured_at_sea(windy_sea(4, 25), 2, 10), 1, 0.2);
@@ -63,13 +63,12 @@ TEST(WhitecapCover, IsThatOfMeasurementsAtSea) {
     const int more = of_sweep(1, 4);
     for (const double wind_speed_mps : of_sweep(std::vector<double>{11, 26}, {7, 11, 14, 19, 26})) {
         std::printf("%2g m/s:", wind_speed_mps);
-        for (const int cascades : of_sweep(std::vector<int>{4}, {0, 1, 2, 3, 4})) {
+        for (const int cascades : of_sweep(std::vector<int>{1, 4}, {0, 1, 2, 3, 4})) {
             // Breaking crests are rarer in light winds.
             const int seeds = wind_speed_mps < 8 ? 12 : 4;
             const double part = cover_over_measured_at_sea(windy_sea(cascades, wind_speed_mps), more * seeds, 40);
             std::printf(" %.2f", part);
-            // One cascade uses its skewed Jacobian, which the threshold matches by four cumulants.
-            const double bound = cascades == 4 ? 0.04 : cascades > 1 ? 0.1 : 0.2;
+            const double bound = cascades == 2 || cascades == 3 ? 0.1 : 0.04;
             EXPECT_NEAR(part, 1, bound) << wind_speed_mps << " m/s, cascades " << cascades;
         }
         std::printf("\n");

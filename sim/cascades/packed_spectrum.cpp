@@ -66,6 +66,8 @@ LineStatistics& LineStatistics::operator+=(const LineStatistics& other) {
     slopes += other.slopes;
     trace_square += other.trace_square;
     trace_rate_square += other.trace_rate_square;
+    trace_drop_x += other.trace_drop_x;
+    trace_drop_z += other.trace_drop_z;
     stokes_x += other.stokes_x;
     stokes_z += other.stokes_z;
     return *this;
@@ -97,6 +99,8 @@ LineStatistics between(const LineStatistics& before, const LineStatistics& after
                 .slopes = of.slopes * factor,
                 .trace_square = of.trace_square * factor,
                 .trace_rate_square = of.trace_rate_square * factor,
+                .trace_drop_x = of.trace_drop_x * factor,
+                .trace_drop_z = of.trace_drop_z * factor,
                 .stokes_x = of.stokes_x * factor,
                 .stokes_z = of.stokes_z * factor};
     };
@@ -153,8 +157,13 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 const double k_x = signed_m * spacing, k_z = n * spacing, of_square = 1 / (k_x * k_x + k_z * k_z);
                 const double trace = k_x * (sign * filtered_x.derivative) + k_z * filtered_z.derivative;
                 const double filter = filtered_x.filter * filtered_z.filter;
-                const double moved_square = mirrors * opposites.realised_square() * orbit_square;
-                statistics.trace_square = filter * (moved_square * of_square * trace * trace);
+                const double at_texels =
+                    mirrors * opposites.realised_square() * orbit_square * of_square * trace * trace;
+                statistics.trace_square = filter * at_texels;
+                // The mean square at u between two texels is 1 - 2 u (1 - u) (1 - cos), with the mean
+                // 1 - (1 - cos) / 3.
+                statistics.trace_drop_x = 1.5 * (1 - filtered_x.filter) * filtered_z.filter * at_texels;
+                statistics.trace_drop_z = 1.5 * (1 - filtered_z.filter) * filtered_x.filter * at_texels;
                 statistics.trace_rate_square = filter *
                                                (mirrors *
                                                 (square_rate(opposites.along, frequency - drifted) +

@@ -87,6 +87,7 @@ class Weather {
         struct Compression {
             double square = 0, rate_square = 0;
         } compression;
+        double compression_drop_x = 0, compression_drop_z = 0;  ///< as LineStatistics::trace_drop_x
         /// Mean squares of their means over squares of FoamFilter's widths.
         std::array<Compression, FoamFilter::widths> compression_of_width;
         /// Covariances of the contraction with the weighted compression, by its age in foam ticks.

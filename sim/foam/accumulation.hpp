@@ -65,6 +65,7 @@ class FoamAccumulation {
     /// \param ramp             s, deviations, above 0
     FoamAccumulation(double frequency_radps, double tick_s, double ramp = ramp_deviations);
 
+    double fall() const { return fall_; }  ///< c
     /// Returns the mean fraction of undisplaced water under foam. \param level  z_w, in [0, 9]
     double cover(double level) const;
 
