@@ -46,6 +46,7 @@ TEST_F(WeatherCommand, ShortWavesThatTheCascadesLeaveOutAreNoted) {
     const Outcome query =
         run_pelagic({"query", "--points", (folder_ / "points.csv").string(), "--weather", weather});
     EXPECT_NE(query.err.find(says), std::string::npos) << query.err;
+    EXPECT_NE(exported(weather, "noted").at("warnings").dump().find(says), std::string::npos);
 }
 
 TEST_F(WeatherCommand, ExportHasTheFramesOfTheForecastAndItsRecordReproducesIt) {
@@ -100,10 +101,15 @@ TEST_F(WeatherCommand, ErrorsAreOneLineThatNamesThePosition) {
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nwind_sped = 3\n").find("unknown key wind_sped"),
               std::string::npos);
     EXPECT_NE(
-        invalid_value_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("change 1: depth_m is 3, expected 4000"),
+        invalid_value_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("change 1: depth is 3, expected 4000"),
         std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 5e6\nswell_height = 0\n")
-                  .find("change 1: swell_from_m is 5000000, expected 0 where the sea has no swell"),
+                  .find("change 1: swell_from is 5000000, expected 0 where the sea has no swell"),
+              std::string::npos);
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 0\n").find("change 1: over 0 is out of range (0, 1e9]"),
+              std::string::npos);
+    EXPECT_NE(invalid_value_of("[[change]]\nfrom = 2\nover = 1\n[[change]]\nfrom = 1\nover = 1\n")
+                  .find("change 2: from is 1, expected at least 3"),
               std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 3e7\n")
                   .find("swell_from is 30000000, expected metres"),
@@ -118,6 +124,9 @@ TEST_F(WeatherCommand, ErrorsAreOneLineThatNamesThePosition) {
                   .find("swell_from is \"2e3\", expected a number without quotes"),
               std::string::npos);
     EXPECT_NE(invalid_value_of("change = 3\n").find("expected lines [[change]]"), std::string::npos);
+    nlohmann::json record = exported(file(calm_to_storm), "record");  // has the names of fields
+    record["weather"][1]["from_s"] = 2;
+    EXPECT_NE(invalid_value_of(record.dump()).find("change 2: from_s is 2, expected at least 5"), std::string::npos);
     EXPECT_NE(invalid_value_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("give one of the two"),
               std::string::npos);
 }

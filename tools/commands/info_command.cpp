@@ -111,12 +111,6 @@ Json computing_as_json(const Ocean& ocean) {
             {"memory_bytes", ocean.memory_bytes()}, {"stages", stages}};
 }
 
-std::vector<std::string> warnings_of(const ResolvedSea& resolved, const SeaReport& report) {
-    std::vector<std::string> warnings = report.warnings;
-    if (std::string warning = warning_about_weather(resolved); !warning.empty()) warnings.push_back(std::move(warning));
-    return warnings;
-}
-
 /// Returns the options and waves of a sea, before the results of computing it.
 Json head_as_json(const ResolvedSea& resolved, const SeaReport& report, std::optional<double> measured_height_m) {
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(resolved)}};

@@ -248,17 +248,26 @@ void require_effects(const std::vector<ConfigEntry>& entries, const std::vector<
     }
 }
 
-/// Replaces the names of fields in a reason of check() by those of their flags: --wave-height for
-/// wave_height_m. One word, such as "cascades", is a name only at the beginning.
-std::string named_as_flags(std::string reason) {
-    for (const SeaFlag& flag : sea_flags) {
-        const std::string name = "--" + std::string(flag.flag);
-        const bool is_word = flag.field.find('_') == std::string_view::npos;
-        for (std::size_t at = 0; (at = reason.find(flag.field, at)) != std::string::npos; at += name.size()) {
-            if (is_word && at > 0) break;
-            reason.replace(at, flag.field.size(), name);
-        }
+/// Replaces the name of a field in a reason of check(). One word, such as "cascades", is a name only
+/// at the beginning.
+void rename_field(std::string& reason, std::string_view field, const std::string& name) {
+    const bool is_word = field.find('_') == std::string_view::npos;
+    for (std::size_t at = 0; (at = reason.find(field, at)) != std::string::npos; at += name.size()) {
+        if (is_word && at > 0) break;
+        reason.replace(at, field.size(), name);
     }
+}
+
+/// Names fields by their flags: --wave-height for wave_height_m.
+std::string named_as_flags(std::string reason) {
+    for (const SeaFlag& flag : sea_flags) rename_field(reason, flag.field, "--" + std::string(flag.flag));
+    return reason;
+}
+
+/// Names fields by their keys in a TOML file: wave_height for wave_height_m.
+std::string named_as_keys(std::string reason) {
+    for (const SeaFlag& flag : sea_flags) rename_field(reason, flag.field, config_key(flag.flag));
+    for (const std::string& key : change_keys()) rename_field(reason, key + (key == "swell_from" ? "_m" : "_s"), key);
     return reason;
 }
 
@@ -423,8 +432,9 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
         first.changes.push_back(std::move(change));
     }
     if (first.changes.empty()) return;
+    const bool is_record = weather.changes.front().entries.front().is_recorded;  // whose keys are the fields' names
     if (const std::string reason = check(forecast_of(first)); !reason.empty())
-        throw InputError(file.string() + ": " + reason);
+        throw InputError(file.string() + ": " + (is_record ? reason : named_as_keys(reason)));
 }
 
 std::optional<std::string> SeaOptions::typed(const std::string& flag) const {

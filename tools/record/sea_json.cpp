@@ -211,6 +211,12 @@ Json foam_as_json(const Frame& frame) {
             {"cascades", cascades}};
 }
 
+std::vector<std::string> warnings_of(const ResolvedSea& sea, const SeaReport& report) {
+    std::vector<std::string> warnings = report.warnings;
+    if (const std::string warning = warning_about_weather(sea); !warning.empty()) warnings.push_back(warning);
+    return warnings;
+}
+
 Json sea_json_head(const ExportOptions& options, double mean_significant_wave_height_m,
                    const std::vector<FileRecord>& sequence_files) {
     Json json = options_as_json(options);
@@ -230,7 +236,7 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
                     {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa});
         json["foam"] = foam_as_json(ocean.frame_at(0));
     }
-    json["warnings"] = report.warnings;
+    json["warnings"] = warnings_of(options.sea, report);
     if (options.events)
         for (const std::string& warning : warnings_about(*options.events, !options.times.fps))
             json["warnings"].push_back(warning);

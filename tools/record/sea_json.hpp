@@ -64,6 +64,9 @@ double repeats_after_m(const ResolvedSea& sea);
 /// Returns ticks, drift and coverage of foam: {"whitecap_cover", "tick_s", ...}.
 Json foam_as_json(const Frame& frame);
 
+/// Returns the warnings about a sea and its transitions.
+std::vector<std::string> warnings_of(const ResolvedSea& sea, const SeaReport& report);
+
 /// Returns sea.json without its frames.
 /// \param sequence_files  files made of all frames together
 Json sea_json_head(const ExportOptions& options, double mean_significant_wave_height_m,
