@@ -121,7 +121,7 @@ glm::dvec3 DrawInput::viewer() const {
     if (viewer_m) return *viewer_m;
     glm::dvec3 sum(0);
     for (const Eye& eye : eyes) sum += eye.position_m;
-    return sum / static_cast<double>(eyes.size());
+    return sum / static_cast<double>(std::max(eyes.size(), std::size_t{1}));
 }
 
 struct SeaRenderer::State {

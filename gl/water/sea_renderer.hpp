@@ -107,7 +107,7 @@ struct DrawInput {
     std::span<const Exclusion> exclusions = {};
     SprayInput spray = {};
 
-    /// Returns viewer_m or its default.
+    /// Returns viewer_m or its default; the origin if there are no eyes.
     glm::dvec3 viewer() const;
 };
 
