@@ -20,7 +20,7 @@ namespace {
 constexpr NumericField<HullSprayOptions> hull_spray_field_table[] = {
     {"radius_m", &HullSprayOptions::radius_m, 0.001, 1, "[0.001, 1]"},
     {"clump_kg", &HullSprayOptions::clump_kg, 1e-6, 1e6, "[1e-6, 1e6]"},
-    {"max_droplets", &HullSprayOptions::max_droplets, 0, static_cast<double>(Spray::max_droplets), "[0, 8192]"},
+    {"max_droplets", &HullSprayOptions::max_droplets, 0, static_cast<double>(max_spray_droplets), "[0, 8192]"},
 };
 
 /// Sine of 4 degrees. Trapped air cushions impacts at smaller deadrises (S.-L. Chuang, J. Ship

@@ -4,7 +4,7 @@
 //   bodies.step(frame, tick_s);                                          // FloatingBodies
 //   thrown.update(SurfaceQuery(frame), bodies.state(boat), bodies.loads(boat), tick_s, workspace,
 //                 bodies.inputs(boat).wake);
-//   spray.emit(thrown.emitters());                                       // sim/spray.hpp
+//   ocean.emit(thrown.emitters());                                       // sim/spray.hpp
 //   for (const Disturbance& foam : thrown.foam()) waves.add_impulse(foam);
 //
 // Let a face with the outward normal n cross the surface, with the velocity w relative to the

@@ -1,4 +1,4 @@
-// A frame: views of cascades, dynamic waves and a shore, which the ocean owns.
+// A frame: views of cascades, dynamic waves, a shore and spray, which the ocean owns.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/snapshot_foam.hpp"
+#include "pelagic/sim/spray.hpp"
 #include "pelagic/sim/water_frame.hpp"
 #include "pelagic/simd/isa.hpp"
 
@@ -60,8 +61,11 @@ struct Frame {
     /// Whether the cascades have foam (OceanOptions::foam), and how their compression makes it.
     bool has_foam = false;
     SnapshotFoam foam;
-    /// Position of the water in the world, as of Ocean::set_water_frame(). All other members,
-    /// `bounds` included, are in the water's frame.
+    /// Spray, with OceanOptions::spray: at most 8192 droplets in the world, first those of emitters,
+    /// then those of crests, each with the newest first. Droplets below the water are not removed.
+    std::span<const SprayDroplet> droplets;
+    /// Position of the water in the world, as of Ocean::set_water_frame(). All other members but
+    /// droplets are in the water's frame, `bounds` included.
     WaterFrame water_frame;
 };
 
@@ -79,5 +83,9 @@ std::uint64_t hash_of(const Frame& frame);
 /// does not have, then the drift and the scale; last the level and the ages of
 /// Frame::foam. Foam is a function of the sea and the time, as all outputs are.
 std::uint64_t foam_hash_of(const Frame& frame);
+
+/// Returns the XXH3 of the droplets' members, little-endian and in their order. Without emitters and
+/// without a current it is a function of the sea, the time in the loop and the centre.
+std::uint64_t spray_hash_of(const Frame& frame);
 
 }  // namespace pelagic

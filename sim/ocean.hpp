@@ -24,6 +24,7 @@
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore.hpp"
+#include "pelagic/sim/spray.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/sim/water_frame.hpp"
 #include "pelagic/sim/wave_input.hpp"
@@ -64,13 +65,19 @@ struct OceanOptions {
     /// include it. The sea must have several cascades and cannot change. Construction takes about a
     /// second of one core longer, and 290 bytes for each of the shore's texels.
     std::optional<ShoreOptions> shore = {};
+    /// Adds spray (spray.hpp): frames have Frame::droplets. 3.8 MB.
+    ///
+    /// A frame with a tick (eleven a second, of which every second is a tick of foam too) computes
+    /// the displacement once more. A jump in time computes 19 ticks, which take as long as ten to
+    /// twenty frames.
+    std::optional<SprayOptions> spray = {};
     /// Wave inputs, added to the waves of the wind in this order (wave_input.hpp). They change
     /// hash_of(). An ocean without inputs has no additional jobs or branches in kernels.
     std::vector<std::shared_ptr<WaveInput>> inputs = {};
     /// Keeps displacement as planes of floats (Cascade::dx, height, dz). Without them, frames have
     /// textures and bounds only. That moves fewer bytes and takes about 12 N^2 bytes less memory
-    /// per cascade; the textures are bit-identical. Queries, velocities, dynamic waves, a shore and
-    /// wave inputs need planes.
+    /// per cascade; the textures are bit-identical. Queries, velocities, dynamic waves, a shore,
+    /// spray and wave inputs need planes.
     bool planes = true;
     /// Allocator of frames and spectra, all but some 100 KB of an ocean; none: operator new.
     Allocator memory = {};
@@ -194,6 +201,25 @@ class Ocean {
     DynamicWaves& dynamic_waves();
     /// As above.
     const DynamicWaves& dynamic_waves() const;
+
+    /// Sets the centre of the spray of crests, usually the camera, in the world; each in
+    /// [-1e8, 1e8]. It takes effect at the next schedule(), for the ticks computed from then on.
+    /// \throws std::invalid_argument  without OceanOptions::spray, or out of range
+    void set_spray_center(double x_m, double z_m);
+    /// Adds droplets of emitters to frames that are scheduled from now on. Their wind is that of the
+    /// forecast at their times, and they move with the water frame of now. The ocean keeps droplets
+    /// for jumps in time; of more than 8192, it discards the oldest.
+    /// \throws std::invalid_argument  without OceanOptions::spray, if an emitter is invalid, or if the
+    ///                                emitters have more than 8192 droplets; nothing is changed then
+    void emit(std::span<const SprayEmitter> emitters);
+    /// Returns the droplets of emitters, at most 918 KB. Droplets of crests need no state.
+    /// \throws std::invalid_argument  without OceanOptions::spray
+    /// \throws std::logic_error       if a frame is in flight
+    std::vector<std::uint8_t> save_spray() const;
+    /// Replaces the droplets of emitters, on any machine of equal byte order.
+    /// \throws std::invalid_argument  without OceanOptions::spray, or if the bytes are damaged
+    /// \throws std::logic_error       if a frame is in flight
+    void restore_spray(std::span<const std::uint8_t> saved);
 
     const FrameContents& contents() const;  ///< of every frame
     std::size_t cascade_count() const;  ///< of every frame

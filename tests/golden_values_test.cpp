@@ -94,6 +94,32 @@ TEST(GoldenValues, OfASeaLevelAndACurrent) {
     rows.expect();
 }
 
+// Between two ticks, with droplets of an emitter first.
+TEST(GoldenValues, OfSpray) {
+    SeaState sea = golden_sea;
+    sea.wind_speed_mps = 18;
+    Ocean ocean(sea, {.executor = make_serial_executor(), .spray = SprayOptions{}});
+    ocean.set_spray_center(5, -3);
+    const SprayEmitter bow{.time_s = 2, .x_m = 1, .y_m = 2, .z_m = -4, .extent_m = 0.5, .velocity_x_mps = 3,
+                           .velocity_y_mps = 4, .spread_mps = 1, .radius_m = 0.0625, .count = 10};
+    ocean.emit({&bow, 1});
+    GoldenRows hashes("spray"), droplets("droplet");
+    for (const std::string time : {"2.0625", "7.25"}) {
+        const Frame& frame = ocean.frame_at(std::stod(time));
+        hashes.row(time, {spray_hash_of(frame), std::uint64_t{frame.droplets.size()}});
+        for (const std::size_t i : {std::size_t{0}, frame.droplets.size() - 1}) {
+            const SprayDroplet& at = frame.droplets[i];
+            droplets.begin(time + (i == 0 ? "-first" : "-last"));
+            for (const double place : {at.x_m, at.y_m, at.z_m}) droplets.add(place);
+            for (const float value : {at.velocity_x_mps, at.velocity_y_mps, at.velocity_z_mps, at.radius_m,
+                                      at.opacity, at.age_s})
+                droplets.add(value);
+        }
+    }
+    hashes.expect();
+    droplets.expect();
+}
+
 TEST(GoldenValues, OfATransition) {
     SeaState later = golden_sea;
     later.wind_speed_mps = 6;

@@ -15,7 +15,8 @@
 #include "pelagic/quadtree/camera.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/spray.hpp"
+#include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/sim/spray/crest_spray.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_isa.hpp"
@@ -258,22 +259,28 @@ TEST(WaterFrame, QueriesSeeTheDynamicWavesInPlace) {
 TEST(WaterFrame, SprayIsCarriedAlong) {
     const SeaState storm{.cascades = 3, .resolution = 64, .wind_speed_mps = 24};
     const WaterFrame water{4, 1.5, -2};
-    Ocean with(storm, with_all()), without(storm, with_all());
+    OceanOptions options = with_all();
+    options.spray = SprayOptions{};
+    Ocean with(storm, options), without(storm, options);
     with.set_water_frame(water);
-    Spray there, here;
     constexpr double time_s = 50.03;
-    while (const auto tick_s = there.missing_tick_s(time_s))
-        there.add_tick(with.frame_at(*tick_s), 7.3 + water.current_x_mps * *tick_s, water.current_z_mps * *tick_s);
-    while (const auto tick_s = here.missing_tick_s(time_s)) here.add_tick(without.frame_at(*tick_s), 7.3, 0);
     SprayEmitter bow{.time_s = 50, .x_m = 1, .y_m = 2, .velocity_x_mps = 3, .count = 5};
-    here.emit({&bow, 1});
+    without.emit({&bow, 1});
     bow.x_m += water.current_x_mps * bow.time_s;
     bow.y_m += water.sea_level_m;
     bow.z_m += water.current_z_mps * bow.time_s;
     bow.velocity_x_mps += water.current_x_mps;
     bow.velocity_z_mps += water.current_z_mps;
-    there.emit({&bow, 1});
-    const auto moved = there.droplets_at(time_s), still = here.droplets_at(time_s);
+    with.emit({&bow, 1});
+    without.set_spray_center(7.3, 0);
+    const TickClock clock(storm.loop_period_s, 2);
+    const std::int64_t last = clock.at(time_s).number;
+    for (std::int64_t tick = last - CrestSpray::kept_ticks; tick <= last; ++tick) {
+        const double at_s = clock.time_s(tick);
+        with.set_spray_center(7.3 + water.current_x_mps * at_s, water.current_z_mps * at_s);
+        with.frame_at(at_s);
+    }
+    const auto moved = with.frame_at(time_s).droplets, still = without.frame_at(time_s).droplets;
     ASSERT_EQ(moved.size(), still.size());
     ASSERT_GT(moved.size(), 100u);
     for (std::size_t i = 0; i < moved.size(); ++i) {

@@ -187,7 +187,7 @@ void ViewImage::draw_sea(const Frame& frame, ViewScene& scene, const Camera& cam
                         .exposure = exposure,
                         .crest_glow = settings_.crest_glow,
                         .weighs_samples = true,
-                        .spray = {.droplets = scene.droplets(frame, camera.position_m)}};
+                        .spray = {.droplets = scene.droplets(frame)}};
     gl::Exclusion dry;
     if (const std::optional<SteeredBoat>& boat = scene.boat()) {
         const glm::dmat4 pose = boat->world_from_boat();

@@ -51,7 +51,6 @@ bool ViewScene::follow_settings(double time_s) {
     if (!starts_transition(time_s)) {
         if (!ocean_supports(settings_.sea)) return false;
         ocean_->schedule_sea(settings_.sea);
-        if (spray_) spray_->ocean().schedule_sea(settings_.sea);
         statistics_.sea_is_baking = true;
     }
     shown_sea_ = settings_.sea;
@@ -63,7 +62,6 @@ bool ViewScene::starts_transition(double time_s) {
     if (settings_.frozen || settings_.change_over_s < min_change_s) return false;
     try {
         ocean_->schedule_sea(settings_.sea, time_s + baking_s, settings_.change_over_s);
-        if (spray_) spray_->ocean().schedule_sea(settings_.sea, time_s + baking_s, settings_.change_over_s);
     } catch (const std::invalid_argument&) {
         // The sea has longer waves or other cascades, or a later transition is already scheduled.
         return false;
@@ -82,26 +80,21 @@ bool ViewScene::ocean_supports(const SeaState& sea) const {
 void ViewScene::create_ocean(double time_s, const std::vector<SeaChange>& changes) {
     shown_sea_ = settings_.sea;
     const auto shore = options_.shore && check(*options_.shore, shown_sea_).empty() ? options_.shore : std::nullopt;
-    const auto executor = [&] { return make_default_executor(options_.threads); };
-    const Forecast forecast{.first = shown_sea_, .changes = changes};
-    ocean_.emplace(forecast, OceanOptions{.executor = executor(),
-                                          .trace = stage_times_,
-                                          .queries = true,
-                                          .velocities = true,
-                                          .slopes = true,
-                                          .foam = true,
-                                          .dynamic_waves = dynamic_waves,
-                                          .shore = shore});
+    ocean_.emplace(Forecast{.first = shown_sea_, .changes = changes},
+                   OceanOptions{.executor = make_default_executor(options_.threads),
+                                .trace = stage_times_,
+                                .queries = true,
+                                .velocities = true,
+                                .slopes = true,
+                                .foam = true,
+                                .dynamic_waves = dynamic_waves,
+                                .shore = shore,
+                                .spray = has_spray() ? std::optional(SprayOptions{}) : std::nullopt});
     ocean_->set_water_frame(options_.water_frame);
-    spray_.reset();
-    if (options_.spray.value_or(true)) {
-        spray_.emplace(forecast, OceanOptions{.executor = executor(), .shore = shore});
-        spray_->ocean().set_water_frame(options_.water_frame);
-    }
     if (boat_) boat_->float_on(ocean_->dynamic_waves());
     ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);
     stage_times_->follow(ocean_->graph());
-    ocean_->schedule(time_s);
+    schedule_frame(time_s);
 }
 
 const Frame& ViewScene::complete(double time_s) {
@@ -109,7 +102,6 @@ const Frame& ViewScene::complete(double time_s) {
     stage_times_->end_frame();
     if (statistics_.sea_is_baking && ocean_->sea_is_ready()) {
         ocean_->complete_sea();
-        if (spray_) spray_->complete_sea();
         statistics_.sea_is_baking = false;
         ++changes_;
     }
@@ -131,17 +123,19 @@ void ViewScene::schedule(const Frame& frame, double time_s, UserInput& input) {
         const glm::dvec2 centre = boat_ ? boat_->place_m() : grid_centre_;
         ocean_->dynamic_waves().set_center(centre.x, centre.y);
     }
+    schedule_frame(time_s);
+}
+
+void ViewScene::schedule_frame(double time_s) {
+    const glm::dvec3 viewer_m = camera_.camera().position_m;
+    if (has_spray()) ocean_->set_spray_center(viewer_m.x, viewer_m.z);
     ocean_->schedule(time_s);
 }
 
-bool ViewScene::draws_spray() const {
+std::span<const SprayDroplet> ViewScene::droplets(const Frame& frame) const {
     const bool is_wanted = options_.spray.value_or(statistics_.shading != gl::Shading::headset);
-    return spray_ && is_wanted && settings_.surface == gl::Surface::open && !settings_.wireframe;
-}
-
-std::span<const SprayDroplet> ViewScene::droplets(const Frame& frame, const glm::dvec3& viewer_m) {
-    if (!draws_spray()) return {};
-    return spray_->at(frame.time_s, viewer_m, !settings_.frozen);
+    if (!is_wanted || settings_.surface != gl::Surface::open || settings_.wireframe) return {};
+    return frame.droplets;
 }
 
 /// Returns the drawn water. Small water (gl::Surface) replaces the cascades, so their heights are
@@ -198,7 +192,7 @@ void ViewScene::advance_boat(const Frame& frame, const Helm& helm) {
     boat_->advance(boat_water(frame), frame.time_s - boat_time_s_, helm);
     boat_time_s_ = frame.time_s;
     if (settings_.follows_boat) camera_.go_along(boat_->place_m() - before);
-    if (draws_spray()) spray_->emit(boat_->thrown().emitters());
+    if (has_spray()) ocean_->emit(boat_->thrown().emitters());
     for (const Disturbance& foam : boat_->thrown().foam()) ocean_->dynamic_waves().add_impulse(foam);
     statistics_.boat_mps = boat_->speed_mps();
 }

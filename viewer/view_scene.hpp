@@ -1,5 +1,5 @@
-// The scene of the window: an ocean that changes to the chosen sea state, its spray, splashes, and
-// a boat that the user steers.
+// The scene of the window: an ocean that changes to the chosen sea state, splashes, and a boat that
+// the user steers.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -11,7 +11,6 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/steered_boat.hpp"
-#include "pelagic/viewer/view_spray.hpp"
 #include "pelagic/viewer/viewer.hpp"
 
 namespace pelagic::viewer {
@@ -43,16 +42,17 @@ class ViewScene {
     void schedule(const Frame& frame, double time_s, UserInput& input);
 
     /// Returns the droplets of a frame, none where spray is not drawn.
-    std::span<const SprayDroplet> droplets(const Frame& frame, const glm::dvec3& viewer_m);
+    std::span<const SprayDroplet> droplets(const Frame& frame) const;
     const std::optional<SteeredBoat>& boat() const { return boat_; }
     const StageTimes& stage_times() const { return *stage_times_; }
     /// Returns the number of changes of the sea state that are complete.
     unsigned long long changes() const { return changes_; }
 
    private:
+    void schedule_frame(double time_s);
     bool starts_transition(double time_s);
     bool ocean_supports(const SeaState& sea) const;
-    bool draws_spray() const;
+    bool has_spray() const { return options_.spray.value_or(true); }
     Frame boat_water(const Frame& frame);
     void make_splash(const Frame& frame, const UserInput& input);
     void place_boat(const Frame& frame);
@@ -65,7 +65,6 @@ class ViewScene {
     ViewStatistics& statistics_;
     std::shared_ptr<StageTimes> stage_times_ = std::make_shared<StageTimes>();
     std::optional<Ocean> ocean_;
-    std::optional<ViewSpray> spray_;
     SeaState shown_sea_;
     unsigned long long changes_ = 0;
     glm::dvec2 grid_centre_{};  ///< centre of the dynamic-wave grid while there is no boat

@@ -4,10 +4,11 @@
 //   SeaPass pass(gl, {.resolution = ocean.resolution(), .cascades = ocean.cascade_count()},
 //                quadtree_preset_named("medium")->options(2048));
 //   pass.renderer().set_sky(baker.complete());
-//   each frame:  pass.upload(ocean.complete());
+//   each frame:  const Frame& frame = ocean.complete();
+//                pass.upload(frame);
 //                ocean.schedule(next_s, pass.renderer().map_textures());
 //                ... clear the framebuffer and draw your own scene ...
-//                pass.draw({.eyes = eyes, .application_scene = scene, .spray = {droplets}});
+//                pass.draw({.eyes = eyes, .application_scene = scene, .spray = {frame.droplets}});
 //                ... with PixelKind::radiance: Display::show() ...
 #pragma once
 

@@ -71,7 +71,7 @@ enum class DrawMode { shaded, wireframe };
 /// none, so other transparent objects may be drawn before or after them. Nothing is drawn for a lens
 /// under water.
 struct SprayInput {
-    std::span<const SprayDroplet> droplets = {};  ///< the first 8192 are drawn
+    std::span<const SprayDroplet> droplets = {};  ///< Frame::droplets; the first 8192 are drawn
     /// Depth of the scene in the eye's projection, 1 where it is empty, as
     /// ApplicationScene::depth. Droplets fade where they meet its surfaces. If 0, or with two eyes
     /// or multiview, surfaces in the framebuffer cut them.

@@ -46,7 +46,7 @@ ProgramFiles spray_program_files(bool multiview, bool soft) {
 
 SprayRenderer::SprayRenderer(const Functions& gl, bool multiview)
     : gl_(gl), multiview_(multiview), array_(gl), instances_(gl) {
-    staged_.reserve(Spray::max_droplets);
+    staged_.reserve(max_spray_droplets);
     gl.BindVertexArray(array_.name());
     gl.BindBuffer(GL_ARRAY_BUFFER, instances_.name());
     for (const GLuint attribute : {0u, 1u}) {
@@ -70,7 +70,7 @@ SprayRenderer::Sprites& SprayRenderer::sprites(bool soft) {
 
 void SprayRenderer::upload(std::span<const SprayDroplet> droplets, const glm::dvec3& viewer_m) {
     staged_.clear();
-    for (const SprayDroplet& droplet : droplets.first(std::min(droplets.size(), Spray::max_droplets)))
+    for (const SprayDroplet& droplet : droplets.first(std::min(droplets.size(), max_spray_droplets)))
         staged_.push_back(
             {{glm::vec3(glm::dvec3(droplet.x_m, droplet.y_m, droplet.z_m) - viewer_m), droplet.radius_m},
              {droplet.velocity_x_mps, droplet.velocity_y_mps, droplet.velocity_z_mps, droplet.opacity}});

@@ -4,7 +4,7 @@
 // An ocean adds the stages of its parts to its graphs once. It then calls, for each frame:
 //
 //   swap_buffers()  before any step that may fail
-//   begin()         for the frame, and for each tick that ticks() counts, before the run of the stages
+//   begin()         for the frame, and for each tick of a part, before the run of the stages
 //   end()           after the last run: the frame is complete
 //   drop()          in place of end() if a step failed, or after it if the frame is discarded
 //
@@ -39,14 +39,21 @@ struct PassMoment {
     double loop_period_s;
     const SeaStatistics& statistics;
     std::span<Cascade> cascades;  ///< with what their sources set: grids, thresholds, ranges
+    /// Whether the run may leave out cascades that make no whitecaps, and the shore: for a tick of
+    /// foam alone.
+    bool whitecaps_only;
 };
 
 /// The ticks that a part needs before a frame. A tick computes the displacement of the cascades, in
-/// the memory that the frame's displacement replaces.
+/// the memory that the frame's displacement replaces. Parts share ticks of equal times.
 struct TicksDue {
     int count = 0;
     double time_s = 0;          ///< of the first of them
     double time_in_loop_s = 0;  ///< time of its waves, which differs from time_s by whole loops
+    bool whitecaps_only = false;  ///< PassMoment::whitecaps_only, unless it is another part's tick too
+
+    /// Returns whether the first of them is at a time.
+    bool begins_at(double at_s) const { return count > 0 && time_s == at_s; }
 };
 
 class FramePart {
@@ -78,8 +85,9 @@ class FramePart {
     /// Discards the last frame and reverts swap_buffers(). \pre swap_buffers() for this frame
     virtual void drop() {}
 
-    /// Returns the ticks that the frame begun last needs, which begin() updates. The pointer is
-    /// constant: null for a part that never needs ticks. At most one part of an ocean has ticks.
+    /// Returns the ticks that the frame begun last needs. begin() of a tick at the time of the first
+    /// removes it; that of another part's tick makes the part's stages do nothing. The pointer is
+    /// constant: null for a part that never needs ticks.
     virtual const TicksDue* ticks() const { return nullptr; }
 
     /// Discards what the part keeps of earlier frames and ticks: after a failure, and where another

@@ -26,7 +26,8 @@ struct SeaMoment {
     /// Weight of each frequency band. Null if all waves have one weight, `weight`. Otherwise
     /// `weight` is that of the waves at the swell's peak.
     const Arrival* arrival = nullptr;
-    double since_s = 0;  ///< time since the change began
+    double since_s = 0;           ///< time since the change began
+    bool whitecaps_only = false;  ///< PassMoment::whitecaps_only
 
     /// Returns whether the moment has the waves of one sea, without a blend.
     bool is_steady() const { return before == after; }

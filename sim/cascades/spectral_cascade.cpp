@@ -126,7 +126,7 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     }
     shown.is_blend = shown.weight != 0 || !shown.band_weights.empty();
     cascade.grid = grid_;
-    shown.is_idle = pass == Pass::tick && foam_weight_ == 0;
+    shown.is_idle = moment.whitecaps_only && foam_weight_ == 0;
 }
 
 FrameBounds SpectralCascade::end_frame() {

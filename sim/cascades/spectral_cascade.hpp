@@ -87,7 +87,7 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
         float weight = 0;       ///< of `after`, if all waves have one weight
         /// Weight of `after` for each band while swell arrives from a distance; empty otherwise.
         std::vector<float> band_weights;
-        bool is_idle = false;  ///< the pass is a tick, and the cascade makes no whitecaps
+        bool is_idle = false;  ///< the pass needs whitecaps only, and the cascade makes none
         float choppiness = 0;
         float cosine = 1, sine = 0;  ///< of the grid's rotation
         float first_frequency = 0;   ///< 2 pi / loop period, rad/s

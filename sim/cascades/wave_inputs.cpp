@@ -86,11 +86,11 @@ void WaveInputs::begin(const PassMoment& at) {
     moment.loop_turns = loop_fraction(at.time_in_loop_s, at.loop_period_s).turns;
     for (const auto& input : inputs_) input->begin(moment);
     for (std::size_t cascade = 0; cascade < at.cascades.size(); ++cascade)
-        begin_cascade(at.pass, cascade, at.cascades[cascade]);
+        begin_cascade(at, cascade);
 }
 
-void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
-    std::uint8_t& adds = adds_[pass][cascade] = 0;
+void WaveInputs::begin_cascade(const PassMoment& at, std::size_t cascade) {
+    std::uint8_t& adds = adds_[at.pass][cascade] = 0;
     double steeper = 0;
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
         if (!inputs_[i]->adds_to(cascade)) continue;
@@ -101,11 +101,11 @@ void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
         steeper += overstated * slope;
         adds = 1;
     }
-    // A tick computes foam only, and its source computes no surface for a cascade without
-    // whitecaps.
-    if (pass == Pass::tick && !at.makes_whitecaps()) adds = 0;
-    at.slope_ranges.slope += static_cast<float>(steeper);
-    at.slope_ranges.variance += static_cast<float>(steeper * steeper);
+    Cascade& shown = at.cascades[cascade];
+    // The source computes no surface then.
+    if (at.whitecaps_only && !shown.makes_whitecaps()) adds = 0;
+    shown.slope_ranges.slope += static_cast<float>(steeper);
+    shown.slope_ranges.variance += static_cast<float>(steeper * steeper);
 }
 
 void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {

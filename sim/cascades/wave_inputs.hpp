@@ -32,7 +32,7 @@ class WaveInputs final : public FramePart {
    private:
     /// Widens the cascade's slope ranges so that they hold the sum of the source's and the inputs'
     /// slopes.
-    void begin_cascade(Pass pass, std::size_t cascade, Cascade& at);
+    void begin_cascade(const PassMoment& at, std::size_t cascade);
     FrameBounds bounds(std::size_t cascade) const;
     std::size_t rows_per_job() const;
     std::size_t jobs() const { return static_cast<std::size_t>(slots_.resolution()) / rows_per_job(); }

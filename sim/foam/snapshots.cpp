@@ -126,7 +126,7 @@ void FoamSnapshots::begin_tick(std::size_t cascade, const CascadeGrid& grid, flo
 
 void FoamSnapshots::compress_rows(std::size_t cascade, std::size_t job) {
     const CascadeSnapshots& from = cascades_[cascade];
-    if (!from.is_there) return;
+    if (is_idle_ || !from.is_there) return;
     const int n = slots_.resolution();
     const PresentCompression bytes = bytes_of_compression(from.scale);
     kernels_.compression(
@@ -145,7 +145,7 @@ void FoamSnapshots::compress_rows(std::size_t cascade, std::size_t job) {
 
 void FoamSnapshots::store_rows(std::size_t cascade, std::size_t job) {
     CascadeSnapshots& to = cascades_[cascade];
-    if (!to.is_there) return;
+    if (is_idle_ || !to.is_there) return;
     SnapshotJob rows{.compression = to.compression.data(),
                      .resolution = static_cast<std::size_t>(slots_.resolution()),
                      .shift_x = to.shift_x,
@@ -164,7 +164,7 @@ void FoamSnapshots::store_rows(std::size_t cascade, std::size_t job) {
 
 void FoamSnapshots::make_levels(std::size_t cascade) {
     CascadeSnapshots& to = cascades_[cascade];
-    if (!to.is_there) return;
+    if (is_idle_ || !to.is_there) return;
     const int n = slots_.resolution();
     std::uint32_t* const chain = to.image().chains[to.image().current].data();
     for (int level = 1; level < mip_levels(n); ++level)

@@ -41,6 +41,8 @@ class FoamSnapshots {
         cascades_[cascade].is_there = weight > 0;
         cascades_[cascade].drift = drift_per_loop;
     }
+    /// Makes the next run of the stages do nothing, or lifts that.
+    void set_idle(bool is_idle) { is_idle_ = is_idle; }
     /// Prepares the cascade's snapshot of tick `number` for the next run of the stages. Images that
     /// the application's frame shows are not overwritten. \pre no run is in flight
     /// \param compression_scale  as Cascade::compression_scale, at the tick
@@ -79,6 +81,7 @@ class FoamSnapshots {
     FrameSlots& slots_;
     const Kernels& kernels_;
     std::vector<CascadeSnapshots> cascades_;
+    bool is_idle_ = false;
 };
 
 /// Converts compressions to bytes: PresentCompression or CompressionJob for slopes of one unit.

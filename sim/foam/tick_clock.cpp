@@ -12,9 +12,9 @@ constexpr double min_tick_s = 0.185;
 constexpr double max_loops = 0x1p40;
 }  // namespace
 
-TickClock::TickClock(double loop_period_s)
+TickClock::TickClock(double loop_period_s, int per_foam_tick)
     : loop_period_s_(loop_period_s),
-      ticks_(kept_ticks * std::max(1, static_cast<int>(loop_period_s / (kept_ticks * min_tick_s)))) {}
+      ticks_(per_foam_tick * kept_ticks * std::max(1, static_cast<int>(loop_period_s / (kept_ticks * min_tick_s)))) {}
 
 // A tick's fraction of the loop is rounded by up to half a unit of 2^-32, so one unit is added
 // before truncation.

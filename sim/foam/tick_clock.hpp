@@ -1,4 +1,5 @@
-// Times of foam ticks: about five a second, and a multiple of 16 of them in a loop.
+// Times of ticks, of foam and of spray. Foam has about five a second, and a multiple of 16 of them in
+// a loop.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ struct TickTime {
     std::uint32_t fraction = 0;  ///< fraction of a tick since then, in units of 2^-32
 };
 
-/// Tick n is at n d. A loop has a multiple of 16 ticks, so that snapshots, which are kept in rings
+/// Foam tick n is at n d. A loop has a multiple of 16 ticks, so that snapshots, which are kept in rings
 /// of 16 (snapshots.hpp), have the same place in the ring in every loop. The interval d is at least
 /// 0.185 s, if the loop has time for 16 such ticks, and at most twice that; from loops of 30 s on
 /// it is at most 0.206 s.
@@ -20,7 +21,8 @@ class TickClock {
     /// Ticks that a frame depends on: foam has faded after 15.
     static constexpr int kept_ticks = 16;
 
-    explicit TickClock(double loop_period_s);
+    /// \param per_foam_tick  number of ticks in the interval d of foam ticks; foam ticks are among them
+    explicit TickClock(double loop_period_s, int per_foam_tick = 1);
 
     int ticks_per_loop() const { return ticks_; }
     double tick_s() const { return loop_period_s_ / ticks_; }

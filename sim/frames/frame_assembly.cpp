@@ -1,6 +1,6 @@
 #include "pelagic/sim/frames/frame_assembly.hpp"
 
-#include <cassert>
+#include <algorithm>
 #include <utility>
 
 #include "pelagic/sim/cascades/pond.hpp"
@@ -28,10 +28,7 @@ FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameConte
 }
 
 void FrameAssembly::add(std::unique_ptr<FramePart> part) {
-    if (const TicksDue* const ticks = part->ticks()) {
-        assert(!ticks_ && "a part has ticks already");
-        ticks_ = ticks;
-    }
+    if (const TicksDue* const ticks = part->ticks()) ticks_.push_back(ticks);
     parts_.push_back(std::move(part));
 }
 
@@ -90,12 +87,29 @@ void FrameAssembly::begin_frame(double time_s, const WaterFrame& water, std::spa
     begin(Pass::frame, time_s, moment, frame.statistics, slots_.cascades());
 }
 
+const TicksDue* FrameAssembly::next_tick() const {
+    const TicksDue* next = nullptr;
+    for (const TicksDue* const due : ticks_)
+        if (due->count > 0 && (!next || due->time_s < next->time_s)) next = due;
+    return next;
+}
+
+bool FrameAssembly::has_tick_after_next() const {
+    const TicksDue* const next = next_tick();
+    return std::any_of(ticks_.begin(), ticks_.end(), [&](const TicksDue* due) {
+        return due->count > 1 || (due->count == 1 && due->time_s != next->time_s);
+    });
+}
+
 void FrameAssembly::begin_tick() {
     const DefaultFloatEnvironment environment;
-    const double time_s = ticks_->time_s;
-    SeaMoment moment = weather_.moment_at(time_s);
-    moment.time_s = ticks_->time_in_loop_s;
-    begin(Pass::tick, time_s, moment, weather_.statistics_at(moment), at_tick_);
+    const TicksDue tick = *next_tick();  // a copy: parts change theirs
+    SeaMoment moment = weather_.moment_at(tick.time_s);
+    moment.time_s = tick.time_in_loop_s;
+    moment.whitecaps_only = std::all_of(ticks_.begin(), ticks_.end(), [&](const TicksDue* due) {
+        return due->whitecaps_only || !due->begins_at(tick.time_s);
+    });
+    begin(Pass::tick, tick.time_s, moment, weather_.statistics_at(moment), at_tick_);
 }
 
 /// \param moment  the seas of the pass, and the time of its waves
@@ -110,7 +124,8 @@ void FrameAssembly::begin(Pass pass, double time_s, const SeaMoment& moment, con
                         .time_in_loop_s = moment.time_s,
                         .loop_period_s = weather_.forecast().first.loop_period_s,
                         .statistics = statistics,
-                        .cascades = cascades};
+                        .cascades = cascades,
+                        .whitecaps_only = moment.whitecaps_only};
     for (const auto& part : parts_) part->begin(at);
 }
 

@@ -40,8 +40,12 @@ class FrameAssembly {
     void swap_buffers();
     /// Prepares a frame. \pre swap_buffers() for this frame, and the moment's seas are resident
     void begin_frame(double time_s, const WaterFrame& water, std::span<const TextureTargets> targets);
-    /// Returns the ticks to compute before the frame; null if frames never need ticks.
-    const TicksDue* ticks() const { return ticks_; }
+    /// Returns whether frames may need ticks.
+    bool has_ticks() const { return !ticks_.empty(); }
+    /// Returns the ticks of which the first is to be computed next, before the frame; null if none is due.
+    const TicksDue* next_tick() const;
+    /// Returns whether a further tick is due after that.
+    bool has_tick_after_next() const;
     /// Prepares the next tick for a run of the tick stages. \pre its moment's seas are resident
     void begin_tick();
     /// Returns whether end_frame() would return without waiting for other threads.
@@ -74,8 +78,8 @@ class FrameAssembly {
     std::vector<std::unique_ptr<SeaSource>> sources_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
     std::vector<std::unique_ptr<FramePart>> parts_;
-    const TicksDue* ticks_ = nullptr;  ///< of the part that has ticks
-    std::vector<Cascade> at_tick_;     ///< what sources set for a tick
+    std::vector<const TicksDue*> ticks_;  ///< of the parts that have ticks
+    std::vector<Cascade> at_tick_;        ///< what sources set for a tick
 };
 
 }  // namespace pelagic

@@ -25,6 +25,11 @@ std::uint64_t foam_hash_of(const Frame& frame) {
     return XXH3_64bits_digest(&state);
 }
 
+std::uint64_t spray_hash_of(const Frame& frame) {
+    static_assert(sizeof(SprayDroplet) == 3 * sizeof(double) + 6 * sizeof(float), "no padding");
+    return XXH3_64bits(frame.droplets.data(), frame.droplets.size_bytes());
+}
+
 std::uint64_t hash_of(const Frame& frame) {
     XXH3_state_t state;
     XXH3_64bits_reset(&state);

@@ -20,6 +20,7 @@ std::string check_parts(const Forecast& forecast, const OceanOptions& options) {
                                  {"velocities", options.velocities},
                                  {"dynamic_waves", options.dynamic_waves.has_value()},
                                  {"shore", options.shore.has_value()},
+                                 {"spray", options.spray.has_value()},
                                  {"inputs", !options.inputs.empty()}})
         if (option.is_on && !options.planes)
             return std::string(option.name) + " cannot be combined with an ocean without planes";
@@ -46,26 +47,35 @@ FrameContents contents_of(const OceanOptions& options, const SeaState& sea) {
 }
 
 // Dynamic waves come first, so that their ticks start before the frame's stages.
-DynamicWaves* add_parts(FrameAssembly& frames, const Forecast& forecast, const OceanOptions& options,
+CommandedParts add_parts(FrameAssembly& frames, const Forecast& forecast, const OceanOptions& options,
                         const std::shared_ptr<Executor>& executor, Isa isa) {
     const Kernels& kernels = kernels_for(isa);
     FrameSlots& slots = frames.slots();
-    DynamicWaves* dynamic_waves = nullptr;
+    CommandedParts commanded;
+    const ShoreSource* shore = nullptr;
     if (options.dynamic_waves) {
         const DynamicWaves::Resources resources{
             .executor = executor, .isa = isa, .trace = options.trace, .memory = options.memory};
         auto part = std::make_unique<DynamicWavesPart>(*options.dynamic_waves, resources, executor->runs_ahead());
-        dynamic_waves = &part->waves();
+        commanded.dynamic_waves = &part->waves();
         frames.add(std::move(part));
     }
     if (options.queries) frames.add(std::make_unique<FoldStages>(slots, kernels));
-    if (options.shore)
-        frames.add(std::make_unique<ShoreSource>(*options.shore, forecast.first, plan_cascades(forecast), kernels,
-                                                 *executor, options.memory));
+    if (options.shore) {
+        auto part = std::make_unique<ShoreSource>(*options.shore, forecast.first, plan_cascades(forecast), kernels,
+                                                  *executor, options.memory, options.spray.has_value());
+        shore = part.get();
+        frames.add(std::move(part));
+    }
     if (!options.inputs.empty()) frames.add(std::make_unique<WaveInputs>(options.inputs, slots, isa));
     if (options.foam)
         frames.add(std::make_unique<FoamPart>(slots, frames.weather(), kernels, options.inputs.empty()));
-    return dynamic_waves;
+    if (options.spray) {
+        auto part = std::make_unique<SprayPart>(*options.spray, slots, frames.weather(), shore);
+        commanded.spray = part.get();
+        frames.add(std::move(part));
+    }
+    return commanded;
 }
 
 }  // namespace pelagic

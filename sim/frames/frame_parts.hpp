@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pelagic/sim/frames/frame_assembly.hpp"
+#include "pelagic/sim/frames/spray_part.hpp"
 #include "pelagic/sim/ocean.hpp"
 
 namespace pelagic {
@@ -17,10 +18,16 @@ std::string check_parts(const Forecast& forecast, const OceanOptions& options);
 /// Returns what frames of a sea contain, with defaults for options that are not set.
 FrameContents contents_of(const OceanOptions& options, const SeaState& sea);
 
-/// Adds the parts to the frames of a forecast. Returns the dynamic waves, which the frames own; null without them.
+/// Parts that answer to the application, which the frames own; null without their options.
+struct CommandedParts {
+    DynamicWaves* dynamic_waves = nullptr;
+    SprayPart* spray = nullptr;
+};
+
+/// Adds the parts to the frames of a forecast.
 /// Throws std::invalid_argument if an option of a part is out of range, and what executors throw.
 /// \pre check_parts() is empty
-DynamicWaves* add_parts(FrameAssembly& frames, const Forecast& forecast, const OceanOptions& options,
+CommandedParts add_parts(FrameAssembly& frames, const Forecast& forecast, const OceanOptions& options,
                         const std::shared_ptr<Executor>& executor, Isa isa);
 
 }  // namespace pelagic

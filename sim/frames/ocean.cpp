@@ -28,7 +28,7 @@ struct Ocean::State {
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
           frames(forecast, isa, contents_of(options, forecast.first), options.memory),
-          dynamic_waves(add_parts(frames, forecast, options, executor, isa)),
+          commanded(add_parts(frames, forecast, options, executor, isa)),
           baker(frames.weather(), frames.sources(), executor, options.trace) {
         const bool is_small = frames.texels() <= max_texels_without_jobs;
         const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
@@ -37,7 +37,7 @@ struct Ocean::State {
         const auto frame_numbers = std::make_shared<std::uint64_t>();
         frames.add_frame_stages(frame_graph);
         frame_run = prepare_traced(*frame_executor, frame_graph, options.trace, "frame", frame_numbers);
-        if (!frames.ticks()) return;
+        if (!frames.has_ticks()) return;
         frames.add_tick_stages(tick_graph);
         tick_run = prepare_traced(*frame_executor, tick_graph, options.trace, "tick");
         frames.add_frame_stages(tick_and_frame_graph, frames.add_tick_stages(tick_and_frame_graph));
@@ -48,7 +48,7 @@ struct Ocean::State {
     std::shared_ptr<Executor> executor;
     Isa isa;
     FrameAssembly frames;
-    DynamicWaves* dynamic_waves;  ///< a part of the frames; null without dynamic waves
+    CommandedParts commanded;
     SpectrumBaker baker;
     JobGraph frame_graph, tick_graph, tick_and_frame_graph;
     bool frame_runs_ahead = false;  ///< false: complete() does all the work
@@ -73,26 +73,35 @@ struct Ocean::State {
                 throw std::invalid_argument("the sea of an ocean with a " + std::string(name) + " cannot change");
     }
     DynamicWaves& needed_dynamic_waves() {
-        if (!dynamic_waves)
+        if (!commanded.dynamic_waves)
             throw std::invalid_argument(
                 "the ocean has no dynamic waves: it was created without OceanOptions::dynamic_waves");
-        return *dynamic_waves;
+        return *commanded.dynamic_waves;
+    }
+    SprayPart& needed_spray() {
+        if (!commanded.spray)
+            throw std::invalid_argument("the ocean has no spray: it was created without OceanOptions::spray");
+        return *commanded.spray;
+    }
+    SprayPart& needed_spray_between_frames() {
+        SprayPart& spray = needed_spray();
+        need_no_frame_in_flight();
+        return spray;
     }
 
-    int ticks_due() const { return frames.ticks() ? frames.ticks()->count : 0; }
     void begin_tick() {
-        baker.ensure_resident(Pass::tick, frames.ticks()->time_s);
+        baker.ensure_resident(Pass::tick, frames.next_tick()->time_s);
         frames.begin_tick();
     }
     /// Returns the run that computes the frame, with its last tick if it needs one.
     GraphRun& prepared_run() {
-        if (ticks_due() == 0) return *frame_run;
+        if (!frames.next_tick()) return *frame_run;
         begin_tick();
         return *tick_and_frame_run;
     }
     void complete_run() {
         if (run_in_flight) return run_in_flight->complete();
-        while (ticks_due() > 1) {
+        while (frames.has_tick_after_next()) {
             begin_tick();
             tick_run->run();
         }
@@ -108,7 +117,7 @@ struct Ocean::State {
         frames.swap_buffers();
         try {
             frames.begin_frame(time_s, water_frame, cascades);
-            if (is_ahead && ticks_due() <= 1) {
+            if (is_ahead && !frames.has_tick_after_next()) {
                 run_in_flight = &prepared_run();
                 run_in_flight->schedule();
             }
@@ -239,6 +248,13 @@ const WaterFrame& Ocean::water_frame() const { return state_->water_frame; }
 
 DynamicWaves& Ocean::dynamic_waves() { return state_->needed_dynamic_waves(); }
 const DynamicWaves& Ocean::dynamic_waves() const { return state_->needed_dynamic_waves(); }
+
+void Ocean::set_spray_center(double x_m, double z_m) { state_->needed_spray().set_center(x_m, z_m); }
+void Ocean::emit(std::span<const SprayEmitter> emitters) { state_->needed_spray().emit(emitters); }
+std::vector<std::uint8_t> Ocean::save_spray() const { return state_->needed_spray_between_frames().save_state(); }
+void Ocean::restore_spray(std::span<const std::uint8_t> saved) {
+    state_->needed_spray_between_frames().restore_state(saved);
+}
 
 const FrameContents& Ocean::contents() const { return state_->frames.contents(); }
 std::size_t Ocean::cascade_count() const { return state_->frames.cascade_count(); }

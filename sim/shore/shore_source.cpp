@@ -150,7 +150,7 @@ void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& 
 }  // namespace
 
 ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
-                         const Kernels& kernels, Executor& executor, const Allocator& memory)
+                         const Kernels& kernels, Executor& executor, const Allocator& memory, bool at_ticks)
     : bed_(options),
       sea_(sea),
       fade_m_(options.fade_m > 0 ? options.fade_m : 0.125 * std::min(bed_.columns, bed_.rows) * bed_.texel_m),
@@ -164,7 +164,8 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
       depth_(bed_.texels(), memory),
       weights_(bed_.texels(), memory),
       bake_(std::make_unique<Bake>()),
-      moments_(waves_.size()) {
+      at_ticks_(at_ticks) {
+    for (auto& moments : moments_.values) moments.resize(waves_.size());
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
         depth_.data()[texel] = static_cast<float>(bed_.depth_m[texel]);
     const std::size_t shelters = std::min(max_shelter_waves, waves_.size());
@@ -482,31 +483,37 @@ void ShoreSource::end_bake() {
     weights_change_per_m_ = static_cast<float>(std::sqrt(2.0) * max / 255 / bed_.texel_m);
 }
 
-void ShoreSource::add_stages(JobGraph& graph, Pass pass, std::span<StageId>) {
-    if (pass == Pass::tick) return;
-    graph.add({.name = "shore",
-               .count = slots_.back().lowest.size(),
-               .body = for_each_item([this](std::size_t item) { rows(item); }),
-               .stack_bytes = stack_margin});
+void ShoreSource::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) {
+    const bool is_tick = pass == Pass::tick;
+    if (is_tick && !at_ticks_) return;
+    // A tick's shore is in the memory of the frame's.
+    const StageId filled =
+        graph.add({.name = is_tick ? "tick shore" : "shore",
+                   .count = slots_.back().lowest.size(),
+                   .waits_for = at_ticks_ ? std::vector{surfaces_done.front()} : std::vector<StageId>{},
+                   .body = for_each_item([this, pass](std::size_t item) { rows(pass, item); }),
+                   .stack_bytes = stack_margin});
+    if (is_tick) surfaces_done.front() = filled;
 }
 
 void ShoreSource::begin(const PassMoment& at) {
-    if (at.pass == Pass::tick) return;
-    const LoopFraction fraction = loop_fraction(at.time_s, sea_.loop_period_s);
+    is_idle_ = at.whitecaps_only;
+    const LoopFraction fraction = loop_fraction(at.time_in_loop_s, sea_.loop_period_s);
     for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
         const std::uint32_t turns = waves_[wave].harmonic * fraction.turns;
         const auto [sine, cosine] = det::sine_cosine_of_turns(turns * 0x1p-32);
-        moments_[wave] = {static_cast<float>(cosine), static_cast<float>(sine),
-                          static_cast<float>(waves_[wave].omega),
-                          static_cast<float>(gravity_mps2 / waves_[wave].omega)};
+        moments_[at.pass][wave] = {static_cast<float>(cosine), static_cast<float>(sine),
+                                   static_cast<float>(waves_[wave].omega),
+                                   static_cast<float>(gravity_mps2 / waves_[wave].omega)};
     }
 }
 
-void ShoreSource::rows(std::size_t item) {
+void ShoreSource::rows(Pass pass, std::size_t item) {
+    if (pass == Pass::tick && is_idle_) return;
     Slot& slot = slots_.back();
     const std::size_t first = item * groups_per_item;
     kernels_.shore_rows({.waves = amplitudes_.data(),
-                         .moments = moments_.data(),
+                         .moments = moments_[pass].data(),
                          .wave_count = waves_.size(),
                          .has_waves = has_waves_.data(),
                          .highest_envelope = highest_envelope_.data(),
@@ -524,15 +531,16 @@ void ShoreSource::rows(std::size_t item) {
 }
 
 void ShoreSource::end(Frame& frame) {
-    frame.shore = view_of_back();
+    frame.shore = of_pass();
+    const float lowest = slots_.back().min_height(), highest = slots_.back().max_height();
+    const float beyond = static_cast<float>(max_overshoot) * (highest - lowest);
+    frame.shore.bounds = {.height_min_m = lowest - beyond, .height_max_m = highest + beyond};
     frame.bounds += frame.shore.bounds;
 }
 
-ShoreSurface ShoreSource::view_of_back() const {
+ShoreSurface ShoreSource::of_pass() const {
     const Slot& slot = slots_.back();
     const std::size_t texels = bed_.texels();
-    const float lowest = slot.min_height(), highest = slot.max_height();
-    const float beyond = static_cast<float>(max_overshoot) * (highest - lowest);
     return {.columns = bed_.columns,
             .rows = bed_.rows,
             .texel_m = bed_.texel_m,
@@ -545,7 +553,6 @@ ShoreSurface ShoreSource::view_of_back() const {
             .potential_m2ps = {slot.potential.data(), texels},
             .reach_m = {slot.reach.data(), texels},
             .foam = {slot.foam.data(), texels},
-            .bounds = {.height_min_m = lowest - beyond, .height_max_m = highest + beyond},
             .weights_change_per_m = weights_change_per_m_};
 }
 
@@ -553,7 +560,7 @@ std::size_t ShoreSource::bytes() const {
     std::size_t bytes = sizeof *this + bed_.depth_m.size() * sizeof(double) + amplitudes_.bytes() +
                         has_waves_.size() + highest_envelope_.bytes() + breaking_envelope_.bytes() +
                         sharpness_.bytes() + depth_.bytes() + weights_.bytes() +
-                        waves_.size() * (sizeof(ShoreWave) + sizeof(ShoreRowsJob::Moment));
+                        waves_.size() * (sizeof(ShoreWave) + passes * sizeof(ShoreRowsJob::Moment));
     for (const Slot& slot : slots_)
         bytes += slot.HeightFieldBuffers::bytes() + slot.potential.bytes() + slot.reach.bytes();
     return bytes;

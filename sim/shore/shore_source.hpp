@@ -39,12 +39,17 @@ class ShoreSource final : public FramePart {
     static constexpr double deviation_over_depth = 0.42 / 2.8284271247461903, crest_over_depth = 0.66;
 
     /// Bakes the waves. Throws what the executor throws.
+    /// \param at_ticks  whether ticks compute the shore, for a later part that reads it
     /// \pre check(options), check(sea) and check(options, sea) are empty; plans are those of the
     /// sea's cascades
     ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
-                const Kernels& kernels, Executor& executor, const Allocator& memory = {});
+                const Kernels& kernels, Executor& executor, const Allocator& memory = {}, bool at_ticks = false);
 
-    /// Adds the stage that computes a frame's waves.
+    /// Returns the shore that the next run computes, without its bounds: a tick's, until the frame's
+    /// stage replaces it.
+    ShoreSurface of_pass() const;
+
+    /// Adds the stage that computes a pass's waves. At a tick the first cascade's stage includes it.
     void add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) override;
     void swap_buffers() override { slots_.swap(); }
     void begin(const PassMoment& at) override;
@@ -56,7 +61,6 @@ class ShoreSource final : public FramePart {
    private:
     void add_bake_stages(JobGraph& graph);
     void end_bake();
-    ShoreSurface view_of_back() const;
     void bake_wave(std::size_t number);
     void bake_shelter(std::size_t number);
     void bake_limits(const Refraction& wave, double omega);
@@ -76,7 +80,7 @@ class ShoreSource final : public FramePart {
     double highest_on_sand_m(std::size_t texel) const;
     /// Returns the upper bound of the standard deviation of all waves, in water and on sand.
     double max_deviation_m(std::size_t texel) const;
-    void rows(std::size_t item);
+    void rows(Pass pass, std::size_t item);
     /// Returns the fade weight: 0 at the rectangle's edges, 1 beyond fade_m from them.
     double inside(std::size_t texel) const;
 
@@ -131,7 +135,9 @@ class ShoreSource final : public FramePart {
         AlignedBuffer<float> potential, reach;
     };
     DoubleBuffer<Slot> slots_;
-    std::vector<ShoreRowsJob::Moment> moments_;
+    OfEachPass<std::vector<ShoreRowsJob::Moment>> moments_;
+    bool at_ticks_;
+    bool is_idle_ = false;  ///< the tick needs no shore
 };
 
 }  // namespace pelagic

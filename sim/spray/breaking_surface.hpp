@@ -1,35 +1,43 @@
-// Position, velocity and breaking of water at reference positions of a frame, for spray.
+// Position and breaking of water at reference positions of a tick, for spray.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <span>
 
-#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/shore_surface.hpp"
+#include "pelagic/sim/spray/flight.hpp"
 
 namespace pelagic {
 
-/// A point of the surface as a GPU draws it: bilinear between texels.
-struct SurfacePoint {
-    double x_m, y_m, z_m;
-    std::array<double, 3> velocity_mps;  ///< of the water
-};
-
-/// Samples a frame. Scalar code, so results are bit-identical on every machine.
+/// Samples cascades and a shore. Scalar code, so results are bit-identical on every machine.
 class BreakingSurface {
    public:
-    /// \pre the frame has velocities
-    explicit BreakingSurface(const Frame& frame);
+    BreakingSurface() = default;
+    /// \param at_tick  what sources set for the tick
+    /// \param planes   cascades that view the tick's displacement; their other members are not read
+    /// \param shore    of the tick, or empty
+    BreakingSurface(std::span<const Cascade> at_tick, std::span<const Cascade> planes, const ShoreSurface& shore);
 
     /// Returns the sum of the weighted compressions of all cascades, in standard deviations
     /// (snapshot_foam.hpp). Compressions are central differences at the nearest texel.
     double compression(double x_m, double z_m) const;
-    /// Returns the water of a reference position, with the frame's dynamic waves and shore.
-    SurfacePoint at(double x_m, double z_m) const;
+    /// Returns the drawn position of a reference position: bilinear between texels, with the shore.
+    SprayVector at(double x_m, double z_m) const;
 
    private:
-    const Frame& frame_;
-    std::array<SurfaceTexels, max_cascades> texels_;
+    struct Texels {
+        CascadeGrid grid;
+        double compression_scale;
+        SurfaceTexels texels;
+    };
+    std::array<float, max_cascades> weights_at(double x_m, double z_m) const;
+
+    std::size_t count_ = 0;
+    std::array<Texels, max_cascades> cascades_{};
+    ShoreSurface shore_;
 };
 
 }  // namespace pelagic

@@ -25,7 +25,6 @@
 #include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/message/one_line.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/spray.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/encode/film.hpp"
 #include "pelagic/tools/encode/image_codec.hpp"
@@ -88,10 +87,11 @@ class OfflineRenderer {
           ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
                                                   .isa = options.scene.compute.isa,
                                                   .queries = true,
-                                                  .velocities = has_spray(options) || options.hull,
+                                                  .velocities = options.hull.has_value(),
                                                   .slopes = true,
                                                   .foam = true,
-                                                  .shore = options.scene.shore}),
+                                                  .shore = options.scene.shore,
+                                                  .spray = spray_of(options)}),
           target_(context_.functions(), options.scene.width, options.scene.height, samples_per_pixel,
                   options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
           pass_(context_.functions(),
@@ -113,9 +113,9 @@ class OfflineRenderer {
         pass_.renderer().set_floor(options.scene.floor);
         if (options.scene.flow) pass_.renderer().set_flow(*options.scene.flow);
         pass_.renderer().set_sky(sky);
-        if (has_spray(options)) {
-            const double loop_s = options.scene.sea.sea.loop_period_s;
-            spray_.emplace(SprayOptions{.loop_period_s = loop_s});
+        if (spray_of(options)) {
+            const glm::dvec3 viewer = options.scene.camera.position_m;
+            ocean_.set_spray_center(viewer.x, viewer.z);
         }
         if (options.events)
             player_.emplace(*options.events, make_default_executor(options.scene.compute.threads),
@@ -143,14 +143,9 @@ class OfflineRenderer {
     void draw(double time_s) {
         const gl::Stopwatch all;
         time_s_ = time_s;
-        if (spray_) {
-            const glm::dvec3 viewer = options_.scene.camera.position_m;
-            while (const std::optional<double> tick_s = spray_->missing_tick_s(time_s))
-                spray_->add_tick(ocean_.frame_at(*tick_s), viewer.x, viewer.z);
-            droplets_ = spray_->droplets_at(time_s);
-        }
         if (hull_) moment_ = hull_->at(time_s);
         Frame frame = ocean_.frame_at(time_s);
+        droplets_ = frame.droplets;
         if (player_) frame = with_water(frame, player_->at(time_s));
         sea_ms_.push_back(all.milliseconds());
 
@@ -209,8 +204,10 @@ class OfflineRenderer {
     }
 
    private:
-    static bool has_spray(const RenderOptions& options) {
-        return !options.wireframe && options.scene.has_spray(options.scene.shading.value_or(gl::Shading::high));
+    static std::optional<SprayOptions> spray_of(const RenderOptions& options) {
+        const bool is_drawn =
+            !options.wireframe && options.scene.has_spray(options.scene.shading.value_or(gl::Shading::high));
+        return is_drawn ? std::optional(SprayOptions{}) : std::nullopt;
     }
 
     std::vector<gl::Eye> eyes_in(int width, int height) const {
@@ -274,7 +271,6 @@ class OfflineRenderer {
     std::optional<EventPlayer> player_;  ///< of dynamic waves; none without --events
     gl::RenderTarget target_;
     gl::SeaPass pass_;
-    std::optional<Spray> spray_;
     std::span<const SprayDroplet> droplets_;  ///< of the frame; none when the exposure is metered
     std::optional<gl::Rock> rock_;
     std::optional<HullPlayer> hull_;

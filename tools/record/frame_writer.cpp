@@ -123,14 +123,14 @@ class ViewCopier {
     }
     /// Copies all views but those of cascades.
     void copy_views(Frame& frame) {
-        auto& [time_s, sea, statistics, isa, cascades, bounds, dynamic_waves, shore, has_foam, foam, water_frame] =
-            frame;
+        auto& [time_s, sea, statistics, isa, cascades, bounds, dynamic_waves, shore, has_foam, foam, droplets,
+               water_frame] = frame;
         auto& [resolution, grid_texel_m, first_x, first_z, grid_height, vertical_velocity, grid_foam, grid_bounds] =
             dynamic_waves;
         copy(grid_height, vertical_velocity, grid_foam);
         auto& [columns, rows, texel_m, x_m, z_m, depth, weights, height, velocity, potential, reach, shore_foam,
                shore_bounds, weights_change] = shore;
-        copy(depth, weights, height, velocity, potential, reach, shore_foam);
+        copy(depth, weights, height, velocity, potential, reach, shore_foam, droplets);
     }
 
    private:
