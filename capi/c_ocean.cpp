@@ -102,6 +102,7 @@ OceanOptions ocean_options_of(const pelagic_ocean_options& options) {
     result.memory = allocator_of(options.allocate, options.release, options.memory_user);
     if (options.dynamic_waves) result.dynamic_waves = dynamic_waves_options_of(options.dynamic_waves);
     if (options.shore) result.shore = shore_options_of(options.shore);
+    if (options.spray) result.spray = spray_options_of(options.spray);
     result.inputs = inputs_of(options.inputs, options.input_count);
     return result;
 }

@@ -60,7 +60,7 @@ class QueryFrames {
 
 struct pelagic_ocean {
     pelagic_ocean(const pelagic::Forecast& forecast, pelagic::OceanOptions options, double tolerance_m)
-        : ocean(forecast, options), query_tolerance_m(tolerance_m) {
+        : ocean(forecast, options), has_spray(options.spray.has_value()), query_tolerance_m(tolerance_m) {
         if (options.dynamic_waves) dynamic_waves = {nullptr, &ocean.dynamic_waves(), this};
     }
 
@@ -68,6 +68,7 @@ struct pelagic_ocean {
     pelagic_dynamic_waves dynamic_waves;
     /// Objects that use the ocean hold it weakly, and so detect that it is destroyed.
     std::shared_ptr<pelagic_ocean> alive{this, [](pelagic_ocean*) {}};
+    bool has_spray;
     double query_tolerance_m;
     bool frame_in_flight = false;
     bool sea_in_flight = false;
@@ -79,6 +80,7 @@ struct pelagic_ocean {
 namespace pelagic::capi {
 
 ShoreOptions shore_options_of(const pelagic_shore_options* options);
+SprayOptions spray_options_of(const pelagic_spray_options* options);
 
 /// Throw WrongOrder.
 void need_no_frame_in_flight(const pelagic_ocean& ocean);

@@ -394,7 +394,7 @@ typedef struct pelagic_ocean_options {
     int32_t foam;
     /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes
      * about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
-     * with queries, velocities, dynamic waves, a shore or wave inputs. */
+     * with queries, velocities, dynamic waves, a shore, spray or wave inputs. */
     int32_t textures_only;
     /* Dynamic waves, which are added to the cascades; NULL: none. Read before the call returns. */
     const struct pelagic_dynamic_waves_options* dynamic_waves;
@@ -404,6 +404,9 @@ typedef struct pelagic_ocean_options {
      * another ocean. The ocean keeps what it needs of them. */
     size_t input_count;
     struct pelagic_input* const* inputs; /* `input_count` handles; may be NULL if that is 0 */
+    /* Spray of breaking crests and emitters; NULL: none. Read before the call returns. A frame with a
+     * tick (eleven a second) computes the displacement once more. 3.8 MB. */
+    const struct pelagic_spray_options* spray;
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -1060,6 +1063,114 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynami
  * Threads: one thread per object. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_waves* waves, const uint8_t* bytes,
                                                                size_t count);
+
+/* ---- Spray ----------------------------------------------------------------------------------- */
+
+/* Droplets that leave breaking crests near a centre, and droplets of emitters. Each stands for a
+ * clump of drops. Droplets of crests are a function of the sea, the time in the loop and the
+ * centre, on every machine. Those of emitters are state, which can be saved. */
+typedef struct pelagic_spray_options {
+    uint32_t struct_size;
+    uint32_t seed;
+    double reach_m; /* spray leaves crests within this distance of the centre; [10, 200] */
+    double amount;  /* factor on the number of droplets of crests; [0, 10] */
+} pelagic_spray_options;
+
+/* Sets every field but struct_size: seed 1, a reach of 80 m, amount 1.
+ *
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_spray_defaults(pelagic_spray_options* options);
+
+/* Droplets that leave a ball at once, for instance at the bow of a ship; in the world. */
+typedef struct pelagic_spray_emitter {
+    uint32_t struct_size;
+    int32_t count;        /* droplets; [0, 8192] */
+    double time_s;        /* at which they leave; [-1e9, 1e9] */
+    double x_m, y_m, z_m; /* centre of the ball; [-1e8, 1e8] */
+    double extent_m;      /* radius of the ball; [0, 100] */
+    double velocity_x_mps, velocity_y_mps, velocity_z_mps; /* mean velocity; [-100, 100] */
+    double spread_mps; /* largest deviation from the mean velocity; [0, 100] */
+    double radius_m;   /* of a droplet as it leaves; [0.001, 1] */
+    double drop_mm;    /* diameter of drops, which sets the drag; [0.1, 5] */
+} pelagic_spray_emitter;
+
+/* Sets every field but struct_size: one droplet of 0.05 m at rest at the origin and t = 0, of drops
+ * of 1 mm.
+ *
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_spray_emitter_defaults(pelagic_spray_emitter* emitter);
+
+/* Sets the centre of the spray of crests, usually the camera, in the world. It takes effect at the
+ * next schedule, for the ticks computed from then on. It is the origin at first.
+ *
+ * x_m, z_m: [-1e8, 1e8].
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and without
+ *   pelagic_ocean_options.spray.
+ * Threads: one thread per ocean. */
+PELAGIC_API pelagic_status pelagic_ocean_set_spray_center(pelagic_ocean* ocean, double x_m, double z_m);
+
+/* Adds droplets of emitters to frames that are scheduled from now on. The ocean keeps them for jumps
+ * in time; of more than 8192, it discards the oldest.
+ *
+ * emitters: `count` structs of one struct_size; may be NULL if that is 0. Together they have at most
+ *   8192 droplets.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an invalid emitter, too many droplets, and without
+ *   pelagic_ocean_options.spray.
+ * Threads: one thread per ocean. */
+PELAGIC_API pelagic_status pelagic_ocean_emit(pelagic_ocean* ocean, const pelagic_spray_emitter* emitters,
+                                              size_t count);
+
+/* Arrays of the application for droplets, in the world. NULL: not written. */
+typedef struct pelagic_droplets {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    size_t room;       /* size of each array; 8192 are always enough */
+    double *x_m, *y_m, *z_m;
+    float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
+    float* radius_m;
+    float* opacity; /* at the middle of the droplet, [0, 1] */
+    float* age_s;   /* since it left the water, [0, 1.5) */
+} pelagic_droplets;
+
+/* Writes the droplets of the frame completed last: first those of emitters, then those of crests,
+ * each with the newest first. Droplets below the water are not removed.
+ *
+ * droplets: NULL to obtain only the count.
+ * count: receives the number of droplets, at most 8192.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if the room is too small, and without
+ *   pelagic_ocean_options.spray; PELAGIC_WRONG_ORDER before the first frame.
+ * Threads: one thread per ocean. */
+PELAGIC_API pelagic_status pelagic_ocean_droplets(const pelagic_ocean* ocean, const pelagic_droplets* droplets,
+                                                  size_t* count);
+
+/* Computes the 64-bit hash of the droplets of the frame completed last.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.spray; PELAGIC_WRONG_ORDER before
+ *   the first frame.
+ * Threads: one thread per ocean. */
+PELAGIC_API pelagic_status pelagic_ocean_spray_hash(const pelagic_ocean* ocean, uint64_t* hash);
+
+/* Saves the droplets of emitters.
+ *
+ * bytes: receives the state; NULL to obtain only the count.
+ * room: size of `bytes`.
+ * count: receives the number of bytes, at most 918 KB.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small, and without pelagic_ocean_options.spray;
+ *   PELAGIC_WRONG_ORDER if a frame is in flight.
+ * Threads: one thread per ocean. */
+PELAGIC_API pelagic_status pelagic_ocean_save_spray(const pelagic_ocean* ocean, uint8_t* bytes, size_t room,
+                                                    size_t* count);
+
+/* Replaces the droplets of emitters, on any machine of equal byte order.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT if the bytes are damaged, and without
+ *   pelagic_ocean_options.spray; PELAGIC_WRONG_ORDER if a frame is in flight.
+ * Threads: one thread per ocean. */
+PELAGIC_API pelagic_status pelagic_ocean_restore_spray(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
 
 /* ---- Shores ---------------------------------------------------------------------------------- */
 

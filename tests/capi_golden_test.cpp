@@ -53,6 +53,67 @@ std::uint64_t hash_by(pelagic_status (*function)(const Object*, std::uint64_t*),
     return hash;
 }
 
+TEST(CInterfaceGolden, Spray) {
+    pelagic_sea sea = golden_sea();
+    sea.wind_speed_mps = 18;
+    auto spray = sized<pelagic_spray_options>();
+    auto bow = sized<pelagic_spray_emitter>();
+    ASSERT_EQ(pelagic_spray_defaults(&spray), PELAGIC_OK);
+    ASSERT_EQ(pelagic_spray_emitter_defaults(&bow), PELAGIC_OK);
+    auto options = sized<pelagic_ocean_options>();
+    options.spray = &spray;
+    const COcean ocean = ocean_of(sea, options);
+    ASSERT_EQ(pelagic_ocean_set_spray_center(ocean.get(), 5, -3), PELAGIC_OK);
+    bow.time_s = 2, bow.x_m = 1, bow.y_m = 2, bow.z_m = -4, bow.extent_m = 0.5;
+    bow.velocity_x_mps = 3, bow.velocity_y_mps = 4, bow.spread_mps = 1, bow.radius_m = 0.0625, bow.count = 10;
+    ASSERT_EQ(pelagic_ocean_emit(ocean.get(), &bow, 1), PELAGIC_OK) << pelagic_last_error();
+    std::array<std::vector<double>, 3> place;
+    std::array<std::vector<float>, 6> of;
+    auto arrays = sized<pelagic_droplets>();
+    GoldenRows hashes("spray"), droplets("droplet");
+    for (const std::string time : {"2.0625", "7.25"}) {
+        complete(ocean, std::stod(time));
+        std::size_t count = 0;
+        ASSERT_EQ(pelagic_ocean_droplets(ocean.get(), nullptr, &count), PELAGIC_OK) << pelagic_last_error();
+        for (auto& values : place) values.resize(count);
+        for (auto& values : of) values.resize(count);
+        arrays.x_m = place[0].data(), arrays.y_m = place[1].data(), arrays.z_m = place[2].data();
+        arrays.velocity_x_mps = of[0].data(), arrays.velocity_y_mps = of[1].data();
+        arrays.velocity_z_mps = of[2].data();
+        arrays.radius_m = of[3].data(), arrays.opacity = of[4].data(), arrays.age_s = of[5].data();
+        arrays.room = count - 1;
+        EXPECT_EQ(pelagic_ocean_droplets(ocean.get(), &arrays, &count), PELAGIC_INVALID_ARGUMENT);
+        arrays.room = count;
+        ASSERT_EQ(pelagic_ocean_droplets(ocean.get(), &arrays, &count), PELAGIC_OK) << pelagic_last_error();
+        hashes.row(time, {hash_by(pelagic_ocean_spray_hash, ocean.get()), std::uint64_t{count}});
+        for (const std::size_t i : {std::size_t{0}, count - 1}) {
+            droplets.begin(time + (i == 0 ? "-first" : "-last"));
+            for (const auto& values : place) droplets.add(values[i]);
+            for (const auto& values : of) droplets.add(values[i]);
+        }
+    }
+    hashes.expect();
+    droplets.expect();
+
+    std::size_t bytes = 0;
+    ASSERT_EQ(pelagic_ocean_save_spray(ocean.get(), nullptr, 0, &bytes), PELAGIC_OK);
+    std::vector<std::uint8_t> saved(bytes);
+    ASSERT_EQ(pelagic_ocean_save_spray(ocean.get(), saved.data(), bytes, &bytes), PELAGIC_OK);
+    const COcean other = ocean_of(sea, options), without = ocean_of(sea, sized<pelagic_ocean_options>());
+    ASSERT_EQ(pelagic_ocean_restore_spray(other.get(), saved.data(), bytes), PELAGIC_OK) << pelagic_last_error();
+    ASSERT_EQ(pelagic_ocean_set_spray_center(other.get(), 5, -3), PELAGIC_OK);
+    complete(other, 2.0625);
+    complete(ocean, 2.0625);
+    EXPECT_EQ(hash_by(pelagic_ocean_spray_hash, other.get()), hash_by(pelagic_ocean_spray_hash, ocean.get()));
+    bow.count = -1;
+    EXPECT_EQ(pelagic_ocean_emit(ocean.get(), &bow, 1), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_STREQ(pelagic_last_error(), "emitters[0].count -1 is out of range [0, 8192]");
+    complete(without, 0);
+    std::uint64_t hash = 0;
+    EXPECT_EQ(pelagic_ocean_spray_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_STREQ(pelagic_last_error(), "the ocean has no spray: it was created without pelagic_ocean_options.spray");
+}
+
 TEST(CInterfaceGolden, AnOceanWithDynamicWavesAndAShore) {
     const ShoreOptions floor = bay();
     auto shore = sized<pelagic_shore_options>();

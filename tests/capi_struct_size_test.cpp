@@ -119,8 +119,20 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
         pelagic_ocean_destroy(made);
         return status;
     });
+    auto spray = sized<pelagic_spray_options>();
+    ASSERT_EQ(pelagic_spray_defaults(&spray), PELAGIC_OK);
+    expect_read_in_every_size(spray, [](pelagic_spray_options* wanted) {
+        const pelagic_sea sea = small_sea();
+        auto options = sized<pelagic_ocean_options>();
+        options.spray = wanted;
+        pelagic_ocean* made = nullptr;
+        const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
+        pelagic_ocean_destroy(made);
+        return status;
+    });
     auto answering = sized<pelagic_ocean_options>();
     answering.dynamic_waves = &dynamic_waves;
+    answering.spray = &spray;
     const COcean water = ocean_of(small_sea(), answering);
     auto disturbance = sized<pelagic_disturbance>();
     ASSERT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
@@ -150,6 +162,16 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     rain.drops_per_m2_s = 1;
     expect_read_in_every_size(
         rain, [&](pelagic_rain* falls) { return pelagic_dynamic_waves_set_rain(waves_of(water.get()), falls); });
+    auto emitter = sized<pelagic_spray_emitter>();
+    ASSERT_EQ(pelagic_spray_emitter_defaults(&emitter), PELAGIC_OK);
+    expect_read_in_every_size(
+        emitter, [&](pelagic_spray_emitter* bow) { return pelagic_ocean_emit(water.get(), bow, 1); });
+    complete(water, 0);
+    expect_read_in_every_size(sized<pelagic_droplets>(), [&](pelagic_droplets* arrays) {
+        std::size_t count = 0;
+        arrays->room = 8192;
+        return pelagic_ocean_droplets(water.get(), arrays, &count);
+    });
     auto water_frame = sized<pelagic_water_frame>();
     water_frame.sea_level_m = 2;
     expect_read_in_every_size(
@@ -204,6 +226,8 @@ TEST_F(StructSizes, OutputStructsMayBeOlderOrNewer) {
     expect_written_in_every_size<pelagic_dynamic_waves_options>(pelagic_dynamic_waves_defaults);
     expect_written_in_every_size<pelagic_disturbance>(pelagic_disturbance_defaults);
     expect_written_in_every_size<pelagic_rain>(pelagic_rain_defaults);
+    expect_written_in_every_size<pelagic_spray_options>(pelagic_spray_defaults);
+    expect_written_in_every_size<pelagic_spray_emitter>(pelagic_spray_emitter_defaults);
     auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
     ASSERT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
     auto options = sized<pelagic_ocean_options>();

@@ -143,6 +143,7 @@ class pelagic_ocean_options(ctypes.Structure):
         ("shore", c_void_p),
         ("input_count", c_size_t),
         ("inputs", POINTER(c_void_p)),
+        ("spray", c_void_p),
     ]
 
 
@@ -371,6 +372,50 @@ class pelagic_dynamic_waves_view(ctypes.Structure):
         ("foam", POINTER(c_uint8)),
         ("height_min_m", c_float),
         ("height_max_m", c_float),
+    ]
+
+
+class pelagic_spray_options(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("seed", c_uint32),
+        ("reach_m", c_double),
+        ("amount", c_double),
+    ]
+
+
+class pelagic_spray_emitter(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("count", c_int32),
+        ("time_s", c_double),
+        ("x_m", c_double),
+        ("y_m", c_double),
+        ("z_m", c_double),
+        ("extent_m", c_double),
+        ("velocity_x_mps", c_double),
+        ("velocity_y_mps", c_double),
+        ("velocity_z_mps", c_double),
+        ("spread_mps", c_double),
+        ("radius_m", c_double),
+        ("drop_mm", c_double),
+    ]
+
+
+class pelagic_droplets(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("room", c_size_t),
+        ("x_m", POINTER(c_double)),
+        ("y_m", POINTER(c_double)),
+        ("z_m", POINTER(c_double)),
+        ("velocity_x_mps", POINTER(c_float)),
+        ("velocity_y_mps", POINTER(c_float)),
+        ("velocity_z_mps", POINTER(c_float)),
+        ("radius_m", POINTER(c_float)),
+        ("opacity", POINTER(c_float)),
+        ("age_s", POINTER(c_float)),
     ]
 
 
@@ -652,6 +697,9 @@ STRUCTS = [
     pelagic_dynamic_waves_resources,
     pelagic_rain,
     pelagic_dynamic_waves_view,
+    pelagic_spray_options,
+    pelagic_spray_emitter,
+    pelagic_droplets,
     pelagic_shore_options,
     pelagic_shore_surface,
     pelagic_waves,
@@ -718,6 +766,14 @@ FUNCTIONS = {
     "pelagic_dynamic_waves_hash": (c_int32, [c_void_p, POINTER(c_uint64)]),
     "pelagic_dynamic_waves_save_state": (c_int32, [c_void_p, POINTER(c_uint8), c_size_t, POINTER(c_size_t)]),
     "pelagic_dynamic_waves_restore_state": (c_int32, [c_void_p, POINTER(c_uint8), c_size_t]),
+    "pelagic_spray_defaults": (c_int32, [POINTER(pelagic_spray_options)]),
+    "pelagic_spray_emitter_defaults": (c_int32, [POINTER(pelagic_spray_emitter)]),
+    "pelagic_ocean_set_spray_center": (c_int32, [c_void_p, c_double, c_double]),
+    "pelagic_ocean_emit": (c_int32, [c_void_p, POINTER(pelagic_spray_emitter), c_size_t]),
+    "pelagic_ocean_droplets": (c_int32, [c_void_p, POINTER(pelagic_droplets), POINTER(c_size_t)]),
+    "pelagic_ocean_spray_hash": (c_int32, [c_void_p, POINTER(c_uint64)]),
+    "pelagic_ocean_save_spray": (c_int32, [c_void_p, POINTER(c_uint8), c_size_t, POINTER(c_size_t)]),
+    "pelagic_ocean_restore_spray": (c_int32, [c_void_p, POINTER(c_uint8), c_size_t]),
     "pelagic_shore_defaults": (c_int32, [POINTER(pelagic_shore_options)]),
     "pelagic_ocean_shore": (c_int32, [c_void_p, POINTER(pelagic_shore_surface)]),
     "pelagic_ocean_shore_hash": (c_int32, [c_void_p, POINTER(c_uint64)]),

@@ -323,6 +323,51 @@ public static unsafe class GoldenTests
     }
 
     [Test]
+    public static void SprayHasTheGoldenValues()
+    {
+        var sea = SmallSea();
+        sea.WindSpeedMps = 18;
+        var bow = SprayEmitter.Default;
+        bow.TimeS = 2;
+        bow.XM = 1;
+        bow.YM = 2;
+        bow.ZM = -4;
+        bow.ExtentM = 0.5;
+        bow.VelocityXMps = 3;
+        bow.VelocityYMps = 4;
+        bow.SpreadMps = 1;
+        bow.RadiusM = 0.0625;
+        bow.Count = 10;
+        var options = new OceanOptions { Spray = SprayOptions.Default };
+        using (var ocean = new Ocean(sea, options))
+        using (var other = new Ocean(sea, options))
+        {
+            var of = new Droplets();
+            ocean.SetSprayCenter(5, -3);
+            other.SetSprayCenter(5, -3);
+            ocean.Emit(bow);
+            other.RestoreSpray(ocean.SaveSpray());
+            foreach (var time in new[] { "2.0625", "7.25" })
+            {
+                FrameAt(ocean, double.Parse(time));
+                ocean.ReadDroplets(of);
+                Check.Equal(Expected.Bits(ocean.SprayHash(), (ulong)of.Count), Expected.Text("spray " + time), "spray " + time);
+                FrameAt(other, double.Parse(time));
+                Check.Equal(other.SprayHash(), ocean.SprayHash(), "restored spray " + time);
+                foreach (var i in new[] { 0, of.Count - 1 })
+                {
+                    var bits = Expected.Bits(of.XM[i], of.YM[i], of.ZM[i], of.VelocityXMps[i], of.VelocityYMps[i], of.VelocityZMps[i], of.RadiusM[i], of.Opacity[i], of.AgeS[i]);
+                    Check.Equal(bits, Expected.Text($"droplet {time}-{(i == 0 ? "first" : "last")}"), "a droplet");
+                }
+            }
+        }
+        using (var without = new Ocean(sea))
+        {
+            Check.Throws<PelagicException>(() => without.SetSprayCenter(0, 0), "spray without the option");
+        }
+    }
+
+    [Test]
     public static void ATransitionHasTheGoldenHashes()
     {
         var later = SmallSea();

@@ -362,6 +362,53 @@ namespace Pelagic
     }
 
     /// <summary>
+    /// Droplets that leave breaking crests near a centre, and droplets of emitters. Each stands for a
+    /// clump of drops. Droplets of crests are a function of the sea, the time in the loop and the
+    /// centre, on every machine. Those of emitters are state, which can be saved.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct SprayOptions
+    {
+        internal uint struct_size;
+        public uint Seed;
+        /// <summary>spray leaves crests within this distance of the centre; [10, 200]</summary>
+        public double ReachM;
+        /// <summary>factor on the number of droplets of crests; [0, 10]</summary>
+        public double Amount;
+    }
+
+    /// <summary>Droplets that leave a ball at once, for instance at the bow of a ship; in the world.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct SprayEmitter
+    {
+        internal uint struct_size;
+        /// <summary>droplets; [0, 8192]</summary>
+        public int Count;
+        /// <summary>at which they leave; [-1e9, 1e9]</summary>
+        public double TimeS;
+        /// <summary>centre of the ball; [-1e8, 1e8]</summary>
+        public double XM;
+        /// <summary>centre of the ball; [-1e8, 1e8]</summary>
+        public double YM;
+        /// <summary>centre of the ball; [-1e8, 1e8]</summary>
+        public double ZM;
+        /// <summary>radius of the ball; [0, 100]</summary>
+        public double ExtentM;
+        /// <summary>mean velocity; [-100, 100]</summary>
+        public double VelocityXMps;
+        /// <summary>mean velocity; [-100, 100]</summary>
+        public double VelocityYMps;
+        /// <summary>mean velocity; [-100, 100]</summary>
+        public double VelocityZMps;
+        /// <summary>largest deviation from the mean velocity; [0, 100]</summary>
+        public double SpreadMps;
+        /// <summary>of a droplet as it leaves; [0.001, 1]</summary>
+        public double RadiusM;
+        /// <summary>diameter of drops, which sets the drag; [0.1, 5]</summary>
+        public double DropMm;
+    }
+
+    /// <summary>
     /// Rings that run outwards from a point, in the cascade that holds waves of their length L. The
     /// height is, with q^2 = r^2 + (L / 2)^2,
     ///
@@ -595,7 +642,7 @@ namespace Pelagic
         /// <summary>
         /// True: frames have textures and bounds, but no planes. This moves fewer bytes and takes
         /// about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
-        /// with queries, velocities, dynamic waves, a shore or wave inputs.
+        /// with queries, velocities, dynamic waves, a shore, spray or wave inputs.
         /// </summary>
         public bool TexturesOnly;
 
@@ -786,6 +833,7 @@ namespace Pelagic
             internal pelagic_shore_options* shore;
             internal UIntPtr input_count;
             internal IntPtr* inputs;
+            internal SprayOptions* spray;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -971,6 +1019,23 @@ namespace Pelagic
             internal byte* foam;
             internal float height_min_m;
             internal float height_max_m;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct pelagic_droplets
+        {
+            internal uint struct_size;
+            internal uint reserved;
+            internal UIntPtr room;
+            internal double* x_m;
+            internal double* y_m;
+            internal double* z_m;
+            internal float* velocity_x_mps;
+            internal float* velocity_y_mps;
+            internal float* velocity_z_mps;
+            internal float* radius_m;
+            internal float* opacity;
+            internal float* age_s;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1288,6 +1353,30 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_dynamic_waves_restore_state(IntPtr waves, byte* bytes, UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_spray_defaults(SprayOptions* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_spray_emitter_defaults(SprayEmitter* emitter);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_set_spray_center(IntPtr ocean, double x_m, double z_m);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_emit(IntPtr ocean, SprayEmitter* emitters, UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_droplets(IntPtr ocean, pelagic_droplets* droplets, UIntPtr* count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_spray_hash(IntPtr ocean, ulong* hash);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_save_spray(IntPtr ocean, byte* bytes, UIntPtr room, UIntPtr* count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_restore_spray(IntPtr ocean, byte* bytes, UIntPtr count);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_shore_defaults(pelagic_shore_options* options);

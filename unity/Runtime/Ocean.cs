@@ -11,6 +11,8 @@ namespace Pelagic
         public string Isa;
         /// <summary>Null: no dynamic waves.</summary>
         public DynamicWavesOptions? DynamicWaves;
+        /// <summary>Null: no spray.</summary>
+        public SprayOptions? Spray;
         /// <summary>Null: no shore.</summary>
         public ShoreOptions Shore;
         /// <summary>Null: no wave inputs.</summary>
@@ -271,6 +273,9 @@ namespace Pelagic
             var waves = options.DynamicWaves.GetValueOrDefault();
             waves.struct_size = (uint)sizeof(DynamicWavesOptions);
             if (options.DynamicWaves != null) native.dynamic_waves = &waves;
+            var spray = options.Spray.GetValueOrDefault();
+            spray.struct_size = (uint)sizeof(SprayOptions);
+            if (options.Spray != null) native.spray = &spray;
             var shore = default(Native.pelagic_shore_options);
             options.Shore?.Write(ref shore);
             var seas = Array.ConvertAll(changes ?? new Change[0], change => change.Sea.Sized());

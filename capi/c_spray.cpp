@@ -1,0 +1,147 @@
+// C interface of spray.
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pelagic/capi/c_ocean.hpp"
+#include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/spray.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+SprayEmitter emitter_of(const pelagic_spray_emitter& from) {
+    return {.time_s = from.time_s,
+            .x_m = from.x_m,
+            .y_m = from.y_m,
+            .z_m = from.z_m,
+            .extent_m = from.extent_m,
+            .velocity_x_mps = from.velocity_x_mps,
+            .velocity_y_mps = from.velocity_y_mps,
+            .velocity_z_mps = from.velocity_z_mps,
+            .spread_mps = from.spread_mps,
+            .radius_m = from.radius_m,
+            .drop_mm = from.drop_mm,
+            .count = from.count};
+}
+
+/// Throws std::invalid_argument without spray.
+template <class COcean>
+COcean& needed_ocean_with_spray(COcean* ocean) {
+    COcean& there = needed(ocean, "ocean");
+    if (!there.has_spray) reject("the ocean has no spray: it was created without pelagic_ocean_options.spray");
+    return there;
+}
+
+const Frame& shown_frame(const pelagic_ocean* ocean) {
+    need_frame(needed_ocean_with_spray(ocean));
+    return *ocean->shown;
+}
+
+template <class Number, class Member>
+void write_members(std::span<const SprayDroplet> droplets, Member SprayDroplet::*member, Number* out) {
+    if (!out) return;
+    for (const SprayDroplet& droplet : droplets) *out++ = droplet.*member;
+}
+
+}  // namespace
+
+SprayOptions spray_options_of(const pelagic_spray_options* options) {
+    const pelagic_spray_options from = read_struct(options, "spray");
+    const SprayOptions ours{.reach_m = from.reach_m, .amount = from.amount, .seed = from.seed};
+    if (const std::string reason = check(ours); !reason.empty()) reject("spray." + reason);
+    return ours;
+}
+
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_spray_defaults(pelagic_spray_options* options) {
+    return guarded([&] {
+        struct_bytes(options, "options");
+        const SprayOptions ours;
+        pelagic_spray_options out{};
+        out.seed = ours.seed;
+        out.reach_m = ours.reach_m;
+        out.amount = ours.amount;
+        write_struct(out, options);
+    });
+}
+
+pelagic_status pelagic_spray_emitter_defaults(pelagic_spray_emitter* emitter) {
+    return guarded([&] {
+        struct_bytes(emitter, "emitter");
+        const SprayEmitter ours;
+        pelagic_spray_emitter out{};
+        out.count = ours.count;
+        out.radius_m = ours.radius_m;
+        out.drop_mm = ours.drop_mm;
+        write_struct(out, emitter);
+    });
+}
+
+pelagic_status pelagic_ocean_set_spray_center(pelagic_ocean* ocean, double x_m, double z_m) {
+    return guarded([&] { needed_ocean_with_spray(ocean).ocean.set_spray_center(x_m, z_m); });
+}
+
+pelagic_status pelagic_ocean_emit(pelagic_ocean* ocean, const pelagic_spray_emitter* emitters, size_t count) {
+    return guarded([&] {
+        Ocean& sea = needed_ocean_with_spray(ocean).ocean;
+        if (count == 0) return;
+        if (count > max_spray_droplets) reject(invalid_value_message("count", count, "[0, 8192]"));
+        std::vector<SprayEmitter> ours;
+        read_structs(emitters, count, "emitters", [&](const pelagic_spray_emitter& from, const std::string& element) {
+            ours.push_back(emitter_of(from));
+            if (const std::string reason = check(ours.back()); !reason.empty()) reject(element + "." + reason);
+        });
+        sea.emit(ours);
+    });
+}
+
+pelagic_status pelagic_ocean_droplets(const pelagic_ocean* ocean, const pelagic_droplets* droplets, size_t* count) {
+    return guarded([&] {
+        const std::span<const SprayDroplet> all = shown_frame(ocean).droplets;
+        std::size_t& there = needed(count, "count");
+        if (droplets) {
+            const pelagic_droplets to = read_struct(droplets, "droplets");
+            if (to.room < all.size())
+                reject(invalid_value_message("droplets.room", to.room, number_text(all.size()) + " or more"));
+            write_members(all, &SprayDroplet::x_m, to.x_m);
+            write_members(all, &SprayDroplet::y_m, to.y_m);
+            write_members(all, &SprayDroplet::z_m, to.z_m);
+            write_members(all, &SprayDroplet::velocity_x_mps, to.velocity_x_mps);
+            write_members(all, &SprayDroplet::velocity_y_mps, to.velocity_y_mps);
+            write_members(all, &SprayDroplet::velocity_z_mps, to.velocity_z_mps);
+            write_members(all, &SprayDroplet::radius_m, to.radius_m);
+            write_members(all, &SprayDroplet::opacity, to.opacity);
+            write_members(all, &SprayDroplet::age_s, to.age_s);
+        }
+        there = all.size();
+    });
+}
+
+pelagic_status pelagic_ocean_spray_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+    return guarded([&] {
+        const Frame& frame = shown_frame(ocean);
+        needed(hash, "hash") = spray_hash_of(frame);
+    });
+}
+
+pelagic_status pelagic_ocean_save_spray(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed_ocean_with_spray(ocean));
+        write_saved(ocean->ocean.save_spray(), bytes, room, count);
+    });
+}
+
+pelagic_status pelagic_ocean_restore_spray(pelagic_ocean* ocean, const uint8_t* bytes, size_t count) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed_ocean_with_spray(ocean));
+        if (count > 0) needed(bytes, "bytes");
+        ocean->ocean.restore_spray({bytes, count});
+    });
+}
