@@ -61,11 +61,11 @@ struct WavesHandle {
 
     void use(const std::function<void(DynamicWaves&)>& with) const {
         const py::gil_scoped_release others_run;
-        ocean->use_dynamic_waves(with);
+        ocean->use([&](Ocean& of) { with(of.dynamic_waves()); });
     }
     void use_between_frames(const std::function<void(DynamicWaves&)>& with) const {
         const py::gil_scoped_release others_run;
-        ocean->use_dynamic_waves_between_frames(with);
+        ocean->use_between_frames([&](Ocean& of) { with(of.dynamic_waves()); });
     }
 };
 

@@ -199,7 +199,7 @@ class BodiesHandle {
         if (!wakes_) return;
         const py::gil_scoped_release others_run;
         try {
-            ocean_->use_dynamic_waves([&](DynamicWaves&) { bodies_.clear(); });
+            ocean_->use([&](Ocean&) { bodies_.clear(); });
         } catch (const std::exception&) {  // the ocean is closed, and its waves are destroyed
         }
     }
@@ -220,7 +220,7 @@ class BodiesHandle {
         if (!wakes_) return use(with);
         const py::gil_scoped_release others_run;
         const std::lock_guard lock(mutex_);
-        ocean_->use_dynamic_waves([&](DynamicWaves&) { with(bodies_); });
+        ocean_->use([&](Ocean&) { with(bodies_); });
     }
     void press(const FrameHandle& frame, double tick_s) const {
         const auto reader = frame.read();
@@ -228,7 +228,7 @@ class BodiesHandle {
         if (!wakes_) return use(press);
         const py::gil_scoped_release others_run;
         const std::lock_guard lock(mutex_);
-        ocean_->use_dynamic_waves_between_frames(press);
+        ocean_->use_between_frames(press);
     }
     void need_frame(const FrameHandle& frame) const {
         if (frame.ocean != ocean_) throw std::invalid_argument("the frame is one of another ocean than the bodies'");
@@ -237,7 +237,7 @@ class BodiesHandle {
    private:
     DynamicWaves* waves() const {
         DynamicWaves* waves = nullptr;
-        if (wakes_) ocean_->use_dynamic_waves([&](DynamicWaves& of) { waves = &of; });
+        if (wakes_) ocean_->use([&](Ocean& of) { waves = &of.dynamic_waves(); });
         return waves;
     }
 

@@ -28,7 +28,7 @@ FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
 OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, std::optional<bool> gradients,
                         std::optional<bool> slopes, int threads, const std::optional<std::string>& isa,
                         double largest_peak_m, py::handle dynamic_waves, py::handle shore, py::handle inputs,
-                        bool planes) {
+                        bool planes, py::handle spray) {
     const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = largest_peak_m};
     require(check(forecast.first));
     OceanOptions options{.queries = queries,
@@ -44,6 +44,7 @@ OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam
     }
     options.dynamic_waves = dynamic_waves_options_of(dynamic_waves);
     options.shore = shore_options_of(shore);
+    options.spray = spray_options_of(spray);
     TakenInputs taken(inputs);
     options.inputs = taken.inputs();
     OceanPointer ocean;
@@ -121,7 +122,7 @@ OceanClass add_ocean_class(py::module_& module) {
               py::arg("foam") = false, py::arg("gradients") = py::none(), py::arg("slopes") = py::none(),
               py::arg("threads") = 0, py::arg("isa") = py::none(), py::arg("largest_peak_m") = 0.0,
               py::arg("dynamic_waves") = py::none(), py::arg("shore") = py::none(), py::arg("inputs") = py::tuple(),
-              py::arg("planes") = true, doc_of("Ocean.__init__"));
+              py::arg("planes") = true, py::arg("spray") = py::none(), doc_of("Ocean.__init__"));
     ocean.def("__enter__", &entered);
     ocean.def("__exit__", [](SharedOcean& of, const py::args&) { freely (&SharedOcean::close)(of); });
     ocean.def("close", freely(&SharedOcean::close), doc_of("Ocean.close"));
@@ -174,5 +175,6 @@ PYBIND11_MODULE(_pelagic, module) {
     OceanClass ocean = add_ocean_class(module);
     add_dynamic_waves(module, frame, ocean);
     add_shore(module, frame);
+    add_spray(module, frame, ocean);
     add_hulls(module);
 }

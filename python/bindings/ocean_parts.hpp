@@ -1,4 +1,4 @@
-// Optional parts of an ocean: dynamic waves, a shore, wave inputs, floating hulls.
+// Optional parts of an ocean: dynamic waves, spray, a shore, wave inputs, floating hulls.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -17,6 +17,7 @@ namespace pelagic::python {
 /// std::invalid_argument and TypeError.
 std::optional<DynamicWavesOptions> dynamic_waves_options_of(pybind11::handle options);
 std::optional<ShoreOptions> shore_options_of(pybind11::handle options);
+std::optional<SprayOptions> spray_options_of(pybind11::handle options);
 
 /// A wave input and the ocean that owns it.
 struct InputHandle {
@@ -49,6 +50,7 @@ class TakenInputs {
 /// Each function adds classes, the checks of the options in _options.py, and properties.
 void add_dynamic_waves(pybind11::module_& module, FrameClass& frame, OceanClass& ocean);
 void add_shore(pybind11::module_& module, FrameClass& frame);
+void add_spray(pybind11::module_& module, FrameClass& frame, OceanClass& ocean);
 void add_inputs(pybind11::module_& module);
 void add_hulls(pybind11::module_& module);
 

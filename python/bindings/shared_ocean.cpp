@@ -21,7 +21,8 @@ SharedOcean::SharedOcean(const Forecast& forecast, const OceanOptions& options)
       repeat_length_m_(pelagic::repeat_length_m(forecast.first)),
       has_velocities_(options.velocities),
       has_foam_(options.foam || options.dynamic_waves || options.shore),
-      has_dynamic_waves_(options.dynamic_waves.has_value()) {}
+      has_dynamic_waves_(options.dynamic_waves.has_value()),
+      has_spray_(options.spray.has_value()) {}
 
 void SharedOcean::need_open_now() const {
     if (is_closed_) throw std::invalid_argument("the ocean is closed");
@@ -116,16 +117,16 @@ void SharedOcean::set_water_frame(const WaterFrame& water) {
     opened().set_water_frame(water);
 }
 
-void SharedOcean::use_dynamic_waves(const std::function<void(DynamicWaves&)>& use) {
+void SharedOcean::use(const std::function<void(Ocean&)>& with) {
     const std::lock_guard turn(turn_);
-    use(opened().dynamic_waves());
+    with(opened());
 }
 
-void SharedOcean::use_dynamic_waves_between_frames(const std::function<void(DynamicWaves&)>& use) {
+void SharedOcean::use_between_frames(const std::function<void(Ocean&)>& with) {
     const std::lock_guard turn(turn_);
     need_open_now();
     if (in_flight_) throw WrongOrder("a frame is in flight; call complete() first");
-    use(opened().dynamic_waves());
+    with(opened());
 }
 
 void SharedOcean::alter_input(const std::function<void()>& change) {

@@ -60,10 +60,11 @@ class SharedOcean {
     void set_water_frame(const WaterFrame& water);
 
     bool has_dynamic_waves() const { return has_dynamic_waves_; }
-    /// Calls use(waves). \pre has_dynamic_waves()
-    void use_dynamic_waves(const std::function<void(DynamicWaves&)>& use);
-    /// Like use_dynamic_waves(); throws WrongOrder if a frame is in flight.
-    void use_dynamic_waves_between_frames(const std::function<void(DynamicWaves&)>& use);
+    bool has_spray() const { return has_spray_; }
+    /// Calls with(ocean) while no other method runs.
+    void use(const std::function<void(Ocean&)>& with);
+    /// As above; throws WrongOrder if a frame is in flight.
+    void use_between_frames(const std::function<void(Ocean&)>& with);
     /// Calls change() while no other method runs, also if the ocean is closed.
     void alter_input(const std::function<void()>& change);
 
@@ -132,7 +133,7 @@ class SharedOcean {
     std::shared_ptr<Executor> executor_;
     std::unique_ptr<Ocean> ocean_;
     double repeat_length_m_;
-    bool has_velocities_, has_foam_, has_dynamic_waves_;
+    bool has_velocities_, has_foam_, has_dynamic_waves_, has_spray_;
     std::array<Use, 2> uses_;
     std::array<double, 2> times_s_{};
     std::uint64_t scheduled_ = 0;  ///< number of frames so far

@@ -15,15 +15,15 @@ from types import MappingProxyType as _MappingProxyType
 from typing import Mapping as _Mapping
 
 from ._explained import explain as _explain, nearest_hint as _nearest_hint
-from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions
+from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions, SprayEmitter, SprayOptions
 from ._pelagic import (Bodies, Bounds, Cascade, DynamicWaves, DynamicWavesView, Frame, GerstnerInput, Hull, HullState, Ocean, RippleInput,
                        ShoreSurface, StaleFrame, WaveInput, isas_here, preset_list as _preset_list, version as __version__)
 from ._sea import Report, Sea
 
 __all__ = [
     "AnalyticWave", "Bodies", "Bounds", "Cascade", "Disturbance", "DynamicWaves", "DynamicWavesOptions", "DynamicWavesView", "Frame", "GerstnerInput",
-    "Hull", "HullState", "Ocean", "Rain", "Report", "Ripple", "RippleInput", "Sea", "ShoreOptions", "ShoreSurface", "StaleFrame", "WaveInput",
-    "isas_here", "preset", "preset_summaries", "presets",
+    "Hull", "HullState", "Ocean", "Rain", "Report", "Ripple", "RippleInput", "Sea", "ShoreOptions", "ShoreSurface", "SprayEmitter",
+    "SprayOptions", "StaleFrame", "WaveInput", "isas_here", "preset", "preset_summaries", "presets",
 ]
 
 #: Named seas, mildest first, followed by the open sea of each Beaufort number, "beaufort-0" to
@@ -34,7 +34,7 @@ presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _
 preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _preset_list()})
 
 _explain(AnalyticWave, Bodies, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, Frame, GerstnerInput, Hull, Ocean, Rain, Ripple, RippleInput, Sea,
-         ShoreOptions)
+         ShoreOptions, SprayEmitter, SprayOptions)
 
 
 def preset(name: str) -> Sea:

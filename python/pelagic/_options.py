@@ -1,4 +1,4 @@
-"""Options of dynamic waves, shores and wave inputs, with units, defaults and ranges. A value out of
+"""Options of dynamic waves, spray, shores and wave inputs, with units, defaults and ranges. A value out of
 range raises ValueError."""
 
 from __future__ import annotations
@@ -93,6 +93,54 @@ class Rain:
 
     def __post_init__(self) -> None:
         _pelagic.check_rain(self)
+
+
+@dataclass(frozen=True)
+class SprayOptions:
+    """Spray of breaking crests and emitters: Ocean(sea, spray=SprayOptions())."""
+
+    reach_m: float = 80.0
+    """Spray leaves crests within this distance of the centre; [10, 200]."""
+    amount: float = 1.0
+    """Factor on the number of droplets of crests; [0, 10]."""
+    seed: int = 1
+    """Seed of the droplets; any 32-bit number."""
+
+    def __post_init__(self) -> None:
+        _pelagic.check_spray_options(self)
+
+
+@dataclass(frozen=True)
+class SprayEmitter:
+    """Droplets that leave a ball at once, for instance at the bow of a ship; in the world."""
+
+    time_s: float = 0.0
+    """Time at which they leave; [-1e9, 1e9]."""
+    x_m: float = 0.0
+    """Centre of the ball; [-1e8, 1e8]."""
+    y_m: float = 0.0
+    """Centre of the ball; [-1e8, 1e8]."""
+    z_m: float = 0.0
+    """Centre of the ball; [-1e8, 1e8]."""
+    extent_m: float = 0.0
+    """Radius of the ball; [0, 100]."""
+    velocity_x_mps: float = 0.0
+    """Mean velocity; [-100, 100]."""
+    velocity_y_mps: float = 0.0
+    """Mean velocity; [-100, 100]."""
+    velocity_z_mps: float = 0.0
+    """Mean velocity; [-100, 100]."""
+    spread_mps: float = 0.0
+    """Largest deviation from the mean velocity; [0, 100]."""
+    radius_m: float = 0.05
+    """Radius of a droplet as it leaves; [0.001, 1]."""
+    drop_mm: float = 1.0
+    """Diameter of drops, which sets the drag; [0.1, 5]."""
+    count: int = 1
+    """Number of droplets; [0, 8192]."""
+
+    def __post_init__(self) -> None:
+        _pelagic.check_spray_emitter(self)
 
 
 @dataclass(frozen=True, eq=False)

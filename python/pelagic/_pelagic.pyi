@@ -7,7 +7,7 @@ from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Type, Ty
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions
+from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions, SprayEmitter, SprayOptions
 from ._sea import Sea
 
 version: str
@@ -290,6 +290,14 @@ class Frame:
     def foam_hash(self) -> int:
         """XXH3 of the foam. Requires Ocean(foam=True)."""
     @property
+    def droplets(self) -> NDArray[np.void]:
+        """A view with the fields position (x, y, z), velocity (x, y, z), radius, opacity and age, in
+        the world: droplets of emitters, then of crests, each with the newest first. Droplets below
+        the water are not removed. Requires Ocean(spray=...)."""
+    @property
+    def spray_hash(self) -> int:
+        """XXH3 of the droplets. Requires Ocean(spray=...)."""
+    @property
     def foam_threshold(self) -> float:
         """The sum of compressions at which half of the water is white; 1000 without whitecaps."""
     @property
@@ -397,6 +405,7 @@ class Ocean:
         shore: Optional[ShoreOptions] = None,
         inputs: Iterable[WaveInput] = (),
         planes: bool = True,
+        spray: Optional[SprayOptions] = None,
     ) -> None:
         """Creates an ocean.
 
@@ -417,6 +426,7 @@ class Ocean:
         inputs      waves that are added to those of the wind, in this order; they change the hash
         planes      displacement as floats. False leaves only textures, for applications that only
                     draw; needs queries=False
+        spray       droplets of breaking crests and emitters; None: no spray
         """
     def __enter__(self) -> Ocean: ...
     def __exit__(
@@ -463,6 +473,16 @@ class Ocean:
         each [-10, 10], for frames that are scheduled from now on. Queries and dynamic waves then
         use positions in the world, and the current carries the water; the other data of frames do
         not change. Raises ValueError with a shore."""
+    def set_spray_center(self, x_m: float, z_m: float) -> None:
+        """Sets the centre of the spray of crests, usually the camera. It takes effect at the next
+        schedule(), for the ticks computed from then on. Requires Ocean(spray=...)."""
+    def emit(self, emitters: Iterable[SprayEmitter]) -> None:
+        """Adds droplets of emitters to frames that are scheduled from now on, at most 8192 in a call.
+        Requires Ocean(spray=...)."""
+    def save_spray(self) -> bytes:
+        """Returns the droplets of emitters. No frame may be in flight."""
+    def restore_spray(self, saved: bytes) -> None:
+        """Replaces the droplets of emitters. No frame may be in flight."""
     @property
     def dynamic_waves(self) -> DynamicWaves:
         """The dynamic waves. Requires Ocean(dynamic_waves=...)."""
@@ -664,6 +684,8 @@ def check_dynamic_waves_options(options: DynamicWavesOptions) -> None: ...
 def check_rain(rain: Rain) -> None: ...
 def check_ripple(ripple: Ripple) -> None: ...
 def check_shore_options(options: ShoreOptions) -> None: ...
+def check_spray_emitter(emitter: SprayEmitter) -> None: ...
+def check_spray_options(options: SprayOptions) -> None: ...
 def analytic_wave_fields() -> List[Tuple[str, float, str]]: ...
 def disturbance_fields() -> List[Tuple[str, float, str]]: ...
 def dynamic_waves_fields() -> List[Tuple[str, float, str]]: ...
@@ -671,6 +693,8 @@ def hull_fields() -> List[Tuple[str, float, str]]: ...
 def rain_fields() -> List[Tuple[str, float, str]]: ...
 def ripple_fields() -> List[Tuple[str, float, str]]: ...
 def shore_fields() -> List[Tuple[str, float, str]]: ...
+def spray_emitter_fields() -> List[Tuple[str, float, str]]: ...
+def spray_fields() -> List[Tuple[str, float, str]]: ...
 def sea_fields() -> List[Tuple[str, float, str]]: ...
 def preset_list() -> List[Tuple[str, str, Sea]]: ...
 def report(sea: Sea) -> Dict[str, Any]: ...

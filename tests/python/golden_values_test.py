@@ -1,5 +1,6 @@
 """Values of tests/golden/values.txt, which the C++ test GoldenValues computes by the same calls."""
 
+import dataclasses
 import struct
 
 import numpy as np
@@ -52,6 +53,37 @@ def test_an_ocean_with_dynamic_waves_and_a_shore(options):
             assert frame.query(X[5], Z[5], interpolation=interpolation)["height"] == samples["height"][5]  # alone as well
         hits = frame.rays([(1.5, 12, -7), (150.5, 12, -7)], [1, -0.5, 0.25], 500)
         assert {str(i): hexadecimal(float(hits["distance"][i]), *map(float, hits["position"][i])) for i in (0, 1)} == golden_rows("ray")
+
+
+def test_spray():
+    sea = dataclasses.replace(SMALL_SEA, wind_speed_mps=18)
+    bow = pelagic.SprayEmitter(time_s=2, x_m=1, y_m=2, z_m=-4, extent_m=0.5, velocity_x_mps=3, velocity_y_mps=4, spread_mps=1, radius_m=0.0625, count=10)
+    hashes, droplets = {}, {}
+    with pelagic.Ocean(sea, spray=pelagic.SprayOptions()) as ocean, pelagic.Ocean(sea, threads=1, spray=pelagic.SprayOptions()) as other:
+        ocean.set_spray_center(5, -3)
+        ocean.emit([bow])
+        other.set_spray_center(5, -3)
+        other.restore_spray(ocean.save_spray())
+        for time in ("2.0625", "7.25"):
+            frame = ocean.frame_at(float(time))
+            hashes[time] = hexadecimal(frame.spray_hash, len(frame.droplets))
+            for name, droplet in (("first", frame.droplets[0]), ("last", frame.droplets[-1])):
+                values = (*droplet["position"], *droplet["velocity"], droplet["radius"], droplet["opacity"], droplet["age"])
+                droplets[f"{time}-{name}"] = hexadecimal(*values)
+            assert other.frame_at(float(time)).spray_hash == frame.spray_hash
+            del droplet
+        assert hashes == golden_rows("spray") and droplets == golden_rows("droplet")
+        with pytest.raises(ValueError, match=r"^x_m 2e\+?0?8 is out of range \[-1e8, 1e8\]$"):
+            ocean.set_spray_center(2e8, 0)
+        with pytest.raises(TypeError, match=r"^emitters\[0\] is 3, expected a pelagic.SprayEmitter"):
+            ocean.emit([3])
+        with pytest.raises(ValueError, match="^the saved spray is damaged"):
+            ocean.restore_spray(bytes(64))
+    with pelagic.Ocean(SMALL_SEA) as without:
+        with pytest.raises(ValueError, match="^the ocean has no spray: create the ocean with spray="):
+            without.emit([bow])
+        with pytest.raises(ValueError, match="^the frame has no spray: create the ocean with spray="):
+            without.frame_at(0).droplets
 
 
 @pytest.mark.filterwarnings("ignore:the points span more than")

@@ -19,7 +19,7 @@ TICK_S = 1 / 60
 FIELDS = {
     pelagic.AnalyticWave: _pelagic.analytic_wave_fields, pelagic.Disturbance: _pelagic.disturbance_fields,
     pelagic.DynamicWavesOptions: _pelagic.dynamic_waves_fields, pelagic.Rain: _pelagic.rain_fields, pelagic.Ripple: _pelagic.ripple_fields,
-    pelagic.ShoreOptions: _pelagic.shore_fields,
+    pelagic.ShoreOptions: _pelagic.shore_fields, pelagic.SprayEmitter: _pelagic.spray_emitter_fields, pelagic.SprayOptions: _pelagic.spray_fields,
 }
 
 
