@@ -77,6 +77,24 @@ export async function seaLines(createOcean, options) {
   return lines;
 }
 
+/** Returns the lines of spray. */
+export async function sprayLines(createOcean, options) {
+  const ocean = await createOcean({ ...smallSea, windSpeedMps: 18, spray: {}, ...options }), lines = [];
+  await ocean.setSprayCenter(5, -3);
+  await ocean.emit([{ timeS: 2, xM: 1, yM: 2, zM: -4, extentM: 0.5, velocityXMps: 3, velocityYMps: 4, spreadMps: 1, radiusM: 0.0625, count: 10 }]);
+  const saved = await ocean.saveSpray();
+  await ocean.restoreSpray(saved);
+  for (const time of [2.0625, 7.25]) {
+    const frame = await ocean.frameAt(time), droplets = await frame.droplets();
+    lines.push(`spray ${time} ${await frame.sprayHash()} ${droplets.count.toString(16).padStart(16, '0')}`);
+    for (const [name, i] of [['first', 0], ['last', droplets.count - 1]])
+      lines.push(`droplet ${time}-${name} ${doubleBits([...droplets.positionsM.slice(3 * i, 3 * i + 3)])} ` +
+                 floatBits([...droplets.velocitiesMps.slice(3 * i, 3 * i + 3), droplets.radiusM[i], droplets.opacity[i], droplets.ageS[i]]));
+  }
+  ocean.dispose();
+  return lines;
+}
+
 /** Returns the hashes of the dynamic waves at 30 ticks. */
 export async function tickHashes(ocean, first) {
   const hashes = [];

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { bay, boat, goldenOf, grid, oceanLines, seaLines, shoreLines, smallSea, stone, tickHashes, waveInputLines } from './ocean_parts.js';
+import { bay, boat, goldenOf, grid, oceanLines, seaLines, shoreLines, smallSea, sprayLines, stone, tickHashes, waveInputLines } from './ocean_parts.js';
 
 const [folder, goldenFolder] = process.argv.slice(2);
 const { createOcean, optionTables } = await import(pathToFileURL(join(folder, 'index.js')));
@@ -19,10 +19,11 @@ const everywhere = [['here, one thread', createOcean, local], ['here, three thre
                     ['in a worker, two threads', remote.createOcean, { threads: 2, maps }]];
 
 for (const [where, create, options] of everywhere)
-  test(`dynamic waves, a shore, wave inputs, a current and a transition have the golden values ${where}`, async () => {
+  test(`dynamic waves, a shore, spray, wave inputs, a current and a transition have the golden values ${where}`, async () => {
     assert.deepEqual(await oceanLines(create, options), golden('waves', 'linear', 'cubic', 'ray'));
     assert.deepEqual(await seaLines(create, options), golden('lifted', 'transition'));
     assert.deepEqual(await shoreLines(create, options), golden('shore'));
+    assert.deepEqual(await sprayLines(create, options), golden('spray', 'droplet'));
     assert.deepEqual(await waveInputLines(create, options), golden('input'));
   });
 
@@ -229,7 +230,7 @@ test('an invalid option is rejected by one line that names it, its value and wha
 
 test('types have the options, defaults and accepted values of the library', async () => {
   const types = readFileSync(join(folder, 'index.d.ts'), 'utf8');
-  const interfaces = { dynamicWaves: 'DynamicWavesOptions', disturbance: 'Disturbance', rain: 'Rain', shore: 'ShoreOptions',
+  const interfaces = { dynamicWaves: 'DynamicWavesOptions', disturbance: 'Disturbance', rain: 'Rain', shore: 'ShoreOptions', spray: 'SprayOptions', sprayEmitter: 'SprayEmitter',
                        analyticWave: 'AnalyticWave', ripple: 'Ripple', waterFrame: 'WaterFrame' };
   const tables = await optionTables();
   assert.deepEqual(Object.keys(tables).sort(), Object.keys(interfaces).sort());

@@ -28,7 +28,7 @@ using emscripten::typed_memory_view;
 using emscripten::val;
 
 constexpr std::array<std::string_view, 9> ocean_option_names = {
-    "threads", "queries", "velocities", "gradients", "slopes", "foam", "dynamicWaves", "shore", "inputs"};
+    "threads", "queries", "velocities", "gradients", "slopes", "foam", "dynamicWaves", "shore", "spray", "inputs"};
 
 bool is_finite(double number) { return std::isfinite(number); }
 
@@ -61,6 +61,7 @@ OceanOptions ocean_options(const val& options, const SeaState& sea, const std::v
                       .foam = is_wanted("foam")};
     if (const val waves = options["dynamicWaves"]; !waves.isUndefined())
         ours.dynamic_waves = dynamic_waves_options_of(waves);
+    if (const val spray = options["spray"]; !spray.isUndefined()) ours.spray = spray_options_of(spray);
     if (const val shore = options["shore"]; !shore.isUndefined()) ours.shore = shore_options_of(shore, sea);
     for (const OceanInput& input : inputs)
         ours.inputs.push_back(input.waves ? std::shared_ptr<WaveInput>(input.waves) : input.ripple);
@@ -486,6 +487,50 @@ class OceanBinding {
         });
     }
 
+    /// Returns the bytes of the frame's droplets, SprayDroplet each.
+    val droplets(int slot) {
+        return with_spray([&](Ocean&) {
+            const auto bytes = std::as_bytes(frames_[slot].droplets);
+            return val(typed_memory_view(bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data())));
+        });
+    }
+    val spray_hash(int slot) {
+        return with_spray([&](Ocean&) { return val(hash_text(spray_hash_of(frames_[slot]))); });
+    }
+    val set_spray_center(const val& x_m, const val& z_m) {
+        return with_spray([&](Ocean& ocean) {
+            ocean.set_spray_center(number_of("xM", x_m, is_finite, "a finite number"),
+                                   number_of("zM", z_m, is_finite, "a finite number"));
+            return val::undefined();
+        });
+    }
+    val emit(const val& emitters) {
+        return with_spray([&](Ocean& ocean) {
+            if (!emitters.isArray())
+                throw std::invalid_argument(invalid_value_message("emitters", text_of(emitters), "an array"));
+            std::vector<SprayEmitter> ours;
+            for (int i = 0, count = emitters["length"].as<int>(); i < count; ++i)
+                ours.push_back(emitter_of("emitters[" + number_text(i) + "]", emitters[i]));
+            ocean.emit(ours);
+            return val::undefined();
+        });
+    }
+    val save_spray() {
+        return with_spray([](Ocean& ocean) {
+            const std::vector<std::uint8_t> saved = ocean.save_spray();
+            return val(typed_memory_view(saved.size(), saved.data())).call<val>("slice");
+        });
+    }
+    val restore_spray(const val& saved) {
+        return with_spray([&](Ocean& ocean) {
+            if (!saved.instanceof (val::global("Uint8Array")))
+                throw std::invalid_argument(
+                    invalid_value_message("saved", text_of(saved), "a Uint8Array that saveSpray() returned"));
+            ocean.restore_spray(emscripten::convertJSArrayToNumberVector<std::uint8_t>(saved));
+            return val::undefined();
+        });
+    }
+
     val set_input(const val& index, const val& input) {
         return answer_of([&] {
             if (inputs_.empty())
@@ -510,6 +555,7 @@ class OceanBinding {
     OceanBinding(const SeaState& sea, const OceanOptions& options, const std::vector<OceanInput>& inputs)
         : executor_(options.executor),
           has_dynamic_waves_(options.dynamic_waves),
+          has_spray_(options.spray),
           inputs_(inputs),
           ocean_(sea, options),
           jobs_(options.executor) {}
@@ -523,8 +569,16 @@ class OceanBinding {
         });
     }
 
+    template <class Work>
+    val with_spray(Work work) {
+        return answer_of([&] {
+            if (!has_spray_) throw std::invalid_argument("the ocean has no spray: give it the option spray");
+            return work(ocean_);
+        });
+    }
+
     std::shared_ptr<Executor> executor_;
-    bool has_dynamic_waves_;
+    bool has_dynamic_waves_, has_spray_;
     std::vector<OceanInput> inputs_;
     Ocean ocean_;
     SurfaceQueryJobs jobs_;
@@ -570,6 +624,12 @@ EMSCRIPTEN_BINDINGS(ocean) {
         .function("setRain", &OceanBinding::set_rain)
         .function("saveState", &OceanBinding::save_state)
         .function("restoreState", &OceanBinding::restore_state)
+        .function("droplets", &OceanBinding::droplets)
+        .function("sprayHash", &OceanBinding::spray_hash)
+        .function("setSprayCenter", &OceanBinding::set_spray_center)
+        .function("emit", &OceanBinding::emit)
+        .function("saveSpray", &OceanBinding::save_spray)
+        .function("restoreSpray", &OceanBinding::restore_spray)
         .function("setInput", &OceanBinding::set_input)
         .function("sea", &OceanBinding::sea)
         .function("memoryBytes", &OceanBinding::memory_bytes)

@@ -163,6 +163,22 @@ Rain rain_of(const val& object, const DynamicWavesOptions& options) {
     return rain;
 }
 
+SprayOptions spray_options_of(const val& object) {
+    ObjectReader reader("spray", "spray.", object);
+    SprayOptions options;
+    reader.take_fields(options, spray_fields());
+    reader.end();
+    return options;
+}
+
+SprayEmitter emitter_of(const std::string& name, const val& object) {
+    ObjectReader reader(name, name + ".", object);
+    SprayEmitter emitter;
+    reader.take_fields(emitter, spray_emitter_fields());
+    reader.end();
+    return emitter;
+}
+
 ShoreOptions shore_options_of(const val& object, const SeaState& sea) {
     ObjectReader reader("shore", "shore.", object);
     ShoreOptions options;
@@ -205,6 +221,8 @@ val ocean_option_tables() {
     tables.set("disturbance", table_of(disturbance_fields(), disturbance));
     tables.set("rain", table_of(rain_fields()));
     tables.set("shore", table_of(shore_fields()));
+    tables.set("spray", table_of(spray_fields()));
+    tables.set("sprayEmitter", table_of(spray_emitter_fields()));
     tables.set("analyticWave", table_of(analytic_wave_fields()));
     tables.set("ripple", table_of(ripple_fields()));
     tables.set("waterFrame", table_of(water_frame_fields()));

@@ -1,4 +1,4 @@
-// Options of dynamic waves, shores and wave inputs, read from JavaScript objects. Names, defaults
+// Options of dynamic waves, spray, shores and wave inputs, read from JavaScript objects. Names, defaults
 // and ranges are those of the C++ tables of fields, in camelCase.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include "pelagic/sim/gerstner_input.hpp"
 #include "pelagic/sim/ripple_input.hpp"
 #include "pelagic/sim/shore.hpp"
+#include "pelagic/sim/spray.hpp"
 #include "pelagic/sim/water_frame.hpp"
 
 namespace pelagic::web {
@@ -30,6 +31,11 @@ WaterFrame water_frame_of(const emscripten::val& object);
 /// Reads rain on dynamic waves of these options.
 Rain rain_of(const emscripten::val& object, const DynamicWavesOptions& options);
 
+/// Reads the option `spray` of an ocean.
+SprayOptions spray_options_of(const emscripten::val& object);
+/// \param name  of the emitter, for messages
+SprayEmitter emitter_of(const std::string& name, const emscripten::val& object);
+
 /// Reads the option `shore` of an ocean of this sea. \pre check(sea) is empty
 ShoreOptions shore_options_of(const emscripten::val& object, const SeaState& sea);
 
@@ -44,8 +50,8 @@ OceanInput input_of(const std::string& name, const emscripten::val& object);
 /// Replaces the waves, or the ripple, of an input. The object must be of the same kind.
 void set_input(OceanInput& input, const std::string& name, const emscripten::val& object);
 
-/// Returns {dynamicWaves, disturbance, rain, shore, analyticWave, ripple, waterFrame}, arrays of
-/// rows as those of sea_option_table().
+/// Returns {dynamicWaves, disturbance, rain, shore, spray, sprayEmitter, analyticWave, ripple,
+/// waterFrame}, arrays of rows as those of sea_option_table().
 emscripten::val ocean_option_tables();
 
 }  // namespace pelagic::web

@@ -103,6 +103,8 @@ export interface OceanOptions extends SeaOptions {
   dynamicWaves?: DynamicWavesOptions;
   /** A sea floor that refracts waves. The sea needs 2 to 4 cascades and cannot change. */
   shore?: ShoreOptions;
+  /** Droplets of breaking crests and emitters; {} has the defaults. Default: no spray. */
+  spray?: SprayOptions;
   /** Waves added to the cascades, in this order; they change hash(). Default: none. */
   inputs?: WaveInput[];
 }
@@ -171,6 +173,56 @@ export interface Disturbance {
   velocityXMps?: number;
   /** Velocity of a source, metres per second: [-1000, 1000]. Default 0. */
   velocityZMps?: number;
+}
+
+/** Spray of breaking crests and emitters. */
+export interface SprayOptions {
+  /** Spray leaves crests within this distance of the centre, metres: [10, 200]. Default 80. */
+  reachM?: number;
+  /** Factor on the number of droplets of crests: [0, 10]. Default 1. */
+  amount?: number;
+  /** Selects the droplets: a whole number from 0 to 4294967295. Default 1. */
+  seed?: number;
+}
+
+/** Droplets that leave a ball at once, for instance at the bow of a ship; in the world. */
+export interface SprayEmitter {
+  /** Time at which they leave, seconds: [-1e9, 1e9]. Default 0. */
+  timeS?: number;
+  /** Centre of the ball, metres: [-1e8, 1e8]. Default 0. */
+  xM?: number;
+  /** Centre of the ball, metres: [-1e8, 1e8]. Default 0. */
+  yM?: number;
+  /** Centre of the ball, metres: [-1e8, 1e8]. Default 0. */
+  zM?: number;
+  /** Radius of the ball, metres: [0, 100]. Default 0. */
+  extentM?: number;
+  /** Mean velocity, metres per second: [-100, 100]. Default 0. */
+  velocityXMps?: number;
+  /** Mean velocity, metres per second: [-100, 100]. Default 0. */
+  velocityYMps?: number;
+  /** Mean velocity, metres per second: [-100, 100]. Default 0. */
+  velocityZMps?: number;
+  /** Largest deviation from the mean velocity, metres per second: [0, 100]. Default 0. */
+  spreadMps?: number;
+  /** Radius of a droplet as it leaves, metres: [0.001, 1]. Default 0.05. */
+  radiusM?: number;
+  /** Diameter of drops, which sets the drag, millimetres: [0.1, 5]. Default 1. */
+  dropMm?: number;
+  /** Number of droplets: [0, 8192]. Default 1. */
+  count?: number;
+}
+
+/** The droplets of a frame, in the world; positions and velocities are x, y, z of each. */
+export interface Droplets {
+  readonly count: number;
+  readonly positionsM: Float64Array;
+  readonly velocitiesMps: Float32Array;
+  readonly radiusM: Float32Array;
+  /** At the middle of the droplet, 0 to 1. */
+  readonly opacity: Float32Array;
+  /** Since it left the water, seconds. */
+  readonly ageS: Float32Array;
 }
 
 /** A sea level, for instance of a tide, and a uniform current. */
@@ -296,11 +348,13 @@ export interface OptionTables {
   disturbance: OptionRow[];
   rain: OptionRow[];
   shore: OptionRow[];
+  spray: OptionRow[];
+  sprayEmitter: OptionRow[];
   analyticWave: OptionRow[];
   ripple: OptionRow[];
   waterFrame: OptionRow[];
 }
-/** Returns the options of dynamic waves, disturbances, rain, shores and wave inputs. */
+/** Returns the options of dynamic waves, disturbances, rain, shores, spray and wave inputs. */
 export function optionTables(): Promise<OptionTables>;
 
 export interface SeaPreset {
@@ -338,6 +392,19 @@ export class Ocean {
    * water. The other data of frames do not change. Throws if the ocean has a shore.
    */
   setWaterFrame(water: WaterFrame): void;
+
+  /**
+   * Sets the centre of the spray of crests, usually the camera. It takes effect at the next
+   * schedule(), for the ticks computed from then on. Throws without OceanOptions.spray, as the
+   * next three methods.
+   */
+  setSprayCenter(xM: number, zM: number): void;
+  /** Adds droplets to frames that are scheduled from now on, at most 8192 in a call. */
+  emit(emitters: SprayEmitter[]): void;
+  /** Returns the droplets of emitters. No frame may be in flight. */
+  saveSpray(): Uint8Array;
+  /** Replaces the droplets of emitters. No frame may be in flight. */
+  restoreSpray(saved: Uint8Array): void;
 
   /**
    * Starts to compute the spectrum of another sea together with frames, which do not change yet:
@@ -473,6 +540,13 @@ export class Frame implements FrameAbout {
   hash(): string;
   /** XXH3 of the foam. */
   foamHash(): string;
+  /**
+   * Returns copies of the droplets: those of emitters, then those of crests, each with the newest
+   * first. Droplets below the water are not removed. Throws without OceanOptions.spray.
+   */
+  droplets(): Droplets;
+  /** XXH3 of the droplets. Throws without OceanOptions.spray. */
+  sprayHash(): string;
   /** Samples the surface at any points. Throws without OceanOptions.queries. */
   query(points: Points, options?: QueryOptions): SurfaceSamples;
   /**

@@ -89,6 +89,24 @@ export class FrameGrid {
   }
 }
 
+/** Returns arrays of the bytes of droplets: three doubles and six floats each. */
+function dropletsOf(view) {
+  const { buffer } = view.slice();  // aligned, and not shared
+  const doubles = new Float64Array(buffer), floats = new Float32Array(buffer), count = doubles.length / 6;
+  const arrays = { positionsM: new Float64Array(3 * count), velocitiesMps: new Float32Array(3 * count) };
+  for (const name of ['radiusM', 'opacity', 'ageS']) arrays[name] = new Float32Array(count);
+  for (let i = 0; i < count; ++i) {
+    for (let axis = 0; axis < 3; ++axis) {
+      arrays.positionsM[3 * i + axis] = doubles[6 * i + axis];
+      arrays.velocitiesMps[3 * i + axis] = floats[12 * i + 6 + axis];
+    }
+    arrays.radiusM[i] = floats[12 * i + 9];
+    arrays.opacity[i] = floats[12 * i + 10];
+    arrays.ageS[i] = floats[12 * i + 11];
+  }
+  return { count, ...arrays };
+}
+
 /** A frame, valid until the second schedule() after its own. */
 export class Frame {
   #ocean;
@@ -162,6 +180,16 @@ export class Frame {
   foamHash() {
     this.assertValid();
     return this.#native.foamHash(this.#slot);
+  }
+
+  droplets() {
+    this.assertValid();
+    return dropletsOf(valueOf(this.#native.droplets(this.#slot)));
+  }
+
+  sprayHash() {
+    this.assertValid();
+    return valueOf(this.#native.sprayHash(this.#slot));
   }
 
   query(points, { toleranceM, interpolation } = {}) {
@@ -273,6 +301,22 @@ export class Ocean {
 
   setWaterFrame(water) {
     valueOf(this.#open().setWaterFrame(water));
+  }
+
+  setSprayCenter(xM, zM) {
+    valueOf(this.#open().setSprayCenter(xM, zM));
+  }
+
+  emit(emitters) {
+    valueOf(this.#open().emit(emitters));
+  }
+
+  saveSpray() {
+    return valueOf(this.#idle().saveSpray());
+  }
+
+  restoreSpray(saved) {
+    valueOf(this.#idle().restoreSpray(saved));
   }
 
   scheduleSea(options) {

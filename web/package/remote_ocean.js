@@ -115,6 +115,14 @@ export class RemoteFrame {
     return this.#line.call('foamHash', this.#number);
   }
 
+  droplets() {
+    return this.#line.call('droplets', this.#number);
+  }
+
+  sprayHash() {
+    return this.#line.call('sprayHash', this.#number);
+  }
+
   async query(points, options) {
     return this.#line.call('query', this.#number, flatPoints(points), options);
   }
@@ -183,6 +191,22 @@ export class RemoteOcean {
 
   setWaterFrame(water) {
     return this.#line.call('setWaterFrame', water);
+  }
+
+  setSprayCenter(xM, zM) {
+    return this.#line.call('setSprayCenter', xM, zM);
+  }
+
+  emit(emitters) {
+    return this.#line.call('emit', emitters);
+  }
+
+  saveSpray() {
+    return this.#line.call('saveSpray');
+  }
+
+  restoreSpray(saved) {
+    return this.#line.call('restoreSpray', saved);
   }
 
   changeSea(options) {

@@ -1,7 +1,7 @@
 // Oceans in a worker: the interface of index.d.ts, with promises.
 import type {
-  Bounds, CascadeAbout, CascadeMaps, Disturbance, DynamicWavesOptions, DynamicWavesView, FrameAbout, Hit, OceanOptions, Points,
-  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SurfaceSamples, WaterFrame, WaveInput,
+  Bounds, CascadeAbout, CascadeMaps, Disturbance, Droplets, DynamicWavesOptions, DynamicWavesView, FrameAbout, Hit, OceanOptions, Points,
+  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SprayEmitter, SurfaceSamples, WaterFrame, WaveInput,
 } from './index.js';
 
 export { seaOptions, optionTables, presets, levelCount, levelOffset, Plane } from './index.js';
@@ -34,6 +34,10 @@ export class RemoteOcean {
   query(points: Points, options?: QueryOptions): Promise<SurfaceSamples>;
   firstHit(ray: Ray): Promise<Hit | null>;
   setWaterFrame(water: WaterFrame): Promise<void>;
+  setSprayCenter(xM: number, zM: number): Promise<void>;
+  emit(emitters: SprayEmitter[]): Promise<void>;
+  saveSpray(): Promise<Uint8Array>;
+  restoreSpray(saved: Uint8Array): Promise<void>;
   changeSea(options: SeaOptions): Promise<void>;
   turnInto(options: SeaOptions, when: {fromS: number; overS: number}): Promise<void>;
   setInput(index: number, input: WaveInput): Promise<void>;
@@ -73,6 +77,8 @@ export class RemoteFrame implements FrameAbout {
   readonly shore: (ShoreSurface & {hash(): Promise<string>}) | null;
   hash(): Promise<string>;
   foamHash(): Promise<string>;
+  droplets(): Promise<Droplets>;
+  sprayHash(): Promise<string>;
   query(points: Points, options?: QueryOptions): Promise<SurfaceSamples>;
   firstHit(ray: Ray): Promise<Hit | null>;
 }
