@@ -60,6 +60,16 @@ void require_known_keys(const Entries& entries, std::span<const NumericField<Opt
                                         nearest_hint(key, known));
 }
 
+/// Reads options that have numeric fields only.
+template <class Options>
+Options options_of(const Variant& dictionary, std::span<const NumericField<Options>> fields) {
+    const Entries entries(dictionary);
+    require_known_keys(entries, fields, {});
+    Options options;
+    read_fields(entries, fields, options);
+    return options;
+}
+
 }  // namespace
 
 Disturbance disturbance_of(const Variant& dictionary) {
@@ -72,12 +82,7 @@ Disturbance disturbance_of(const Variant& dictionary) {
     return disturbance;
 }
 
-Rain rain_of(const Variant& dictionary) {
-    const Entries entries(dictionary);
-    require_known_keys(entries, rain_fields(), {});
-    Rain rain;
-    read_fields(entries, rain_fields(), rain);
-    return rain;
-}
+Rain rain_of(const Variant& dictionary) { return options_of(dictionary, rain_fields()); }
+SprayEmitter emitter_of(const Variant& dictionary) { return options_of(dictionary, spray_emitter_fields()); }
 
 }  // namespace pelagic::godot

@@ -4,6 +4,7 @@
 #include "pelagic/examples/godot/engine.hpp"
 #include "pelagic/sim/disturbance.hpp"
 #include "pelagic/sim/rain.hpp"
+#include "pelagic/sim/spray.hpp"
 
 namespace pelagic::godot {
 
@@ -16,5 +17,8 @@ Disturbance disturbance_of(const Variant& dictionary);
 /// Reads the names of rain_fields(), as disturbance_of() does. The ranges of the values depend on
 /// the grid, and DynamicWaves::set_rain() checks them.
 Rain rain_of(const Variant& dictionary);
+
+/// Reads the names of spray_emitter_fields(), as disturbance_of() does.
+SprayEmitter emitter_of(const Variant& dictionary);
 
 }  // namespace pelagic::godot

@@ -48,6 +48,13 @@ Value save_state(OceanNode& node) {
     return Pool<std::uint8_t>(std::span<const std::uint8_t>(saved)).value();
 }
 
+Value save_spray(OceanNode& node) {
+    const Ocean* const ocean = node.ocean_with_spray_between_frames();
+    if (!ocean) return Value();
+    const std::vector<std::uint8_t> saved = ocean->save_spray();
+    return Pool<std::uint8_t>(std::span<const std::uint8_t>(saved)).value();
+}
+
 /// Calls `use` with the node's dynamic waves, if it has an ocean. Returns nil.
 template <class Use>
 Value with_waves(OceanNode& node, const Use& use) {
@@ -143,6 +150,31 @@ const MethodOf<OceanNode> ocean_method_list[] = {
      {},
      "()",
      [](OceanNode& node, std::span<Variant* const>) { return value_of(node.dynamic_waves_hash()); }},
+    {"set_spray_center",
+     {type_vector3},
+     "(place)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         return node.set_spray_center(vector_of(*arguments[0])), Value();
+     }},
+    {"emit_spray",
+     {type_dictionary},
+     "(emitter)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         const SprayEmitter emitter = emitter_of(*arguments[0]);
+         if (Ocean* const ocean = node.ocean_with_spray()) ocean->emit({&emitter, 1});
+         return Value();
+     }},
+    {"droplets", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return value_of(node.droplets()); }},
+    {"spray_hash", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return value_of(node.spray_hash()); }},
+    {"save_spray", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return save_spray(node); }},
+    {"restore_spray",
+     {type_pool_byte_array},
+     "(saved)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         if (Ocean* const ocean = node.ocean_with_spray_between_frames())
+             ocean->restore_spray(PoolElements<std::uint8_t>(*arguments[0]).all());
+         return Value();
+     }},
 };
 
 }  // namespace

@@ -107,6 +107,7 @@ bool OceanNode::make_ocean() {
                          .slopes = true,
                          .foam = settings_.foam};
     if (settings_.dynamic_waves) options.dynamic_waves = settings_.dynamic_waves_options;
+    if (settings_.spray) options.spray = settings_.spray_options;
     if (!settings_.shore.heights_m.empty()) {
         options.shore = settings_.shore;
         if (const std::string warning = warning_about(*options.shore, sea); !warning.empty())
@@ -121,6 +122,8 @@ bool OceanNode::make_ocean() {
     ocean_ = std::make_unique<Ocean>(sea, std::move(options));
     ocean_->set_water_frame(water_frame_);
     has_dynamic_waves_ = settings_.dynamic_waves;
+    has_spray_ = settings_.spray;
+    if (has_spray_) set_spray_center(spray_center_);
     return true;
 }
 
@@ -213,6 +216,58 @@ void OceanNode::restore_dynamic_waves(std::span<const std::uint8_t> saved) {
 std::optional<std::uint64_t> OceanNode::dynamic_waves_hash() {
     if (!dynamic_waves()) return {};
     return hash_of(frame()->dynamic_waves);
+}
+
+Ocean* OceanNode::ocean_with_spray() {
+    if (is_stale_ && !make_ocean()) return nullptr;
+    if (!ocean_) return nullptr;
+    if (!has_spray_) throw std::invalid_argument("the ocean has no spray: set spray to true");
+    return ocean_.get();
+}
+
+Ocean* OceanNode::ocean_with_spray_between_frames() {
+    Ocean* const ocean = ocean_with_spray();
+    if (ocean && in_flight_) ocean->complete();  // as in dynamic_waves_between_frames()
+    return ocean;
+}
+
+void OceanNode::set_spray_center(const Vector3& place) {
+    Ocean* const ocean = ocean_with_spray();
+    if (ocean) ocean->set_spray_center(static_cast<double>(place.x), static_cast<double>(place.z));
+    spray_center_ = place;
+}
+
+std::unique_ptr<Table> OceanNode::droplets() {
+    if (!ocean_with_spray()) return {};
+    const std::span<const SprayDroplet> all = frame()->droplets;
+    const auto vectors = [&](auto x, auto y, auto z) {
+        Pool<Vector3> pool(all.size());
+        pool.fill([&](std::span<Vector3> room) {
+            for (std::size_t i = 0; i < all.size(); ++i)
+                room[i] = {static_cast<float>(all[i].*x), static_cast<float>(all[i].*y), static_cast<float>(all[i].*z)};
+        });
+        return pool.value();
+    };
+    const auto numbers = [&](float SprayDroplet::*member) {
+        Pool<float> pool(all.size());
+        pool.fill([&](std::span<float> room) {
+            for (std::size_t i = 0; i < all.size(); ++i) room[i] = all[i].*member;
+        });
+        return pool.value();
+    };
+    auto answers = std::make_unique<Table>();
+    answers->set("position", vectors(&SprayDroplet::x_m, &SprayDroplet::y_m, &SprayDroplet::z_m));
+    answers->set("velocity", vectors(&SprayDroplet::velocity_x_mps, &SprayDroplet::velocity_y_mps,
+                                     &SprayDroplet::velocity_z_mps));
+    answers->set("radius", numbers(&SprayDroplet::radius_m));
+    answers->set("opacity", numbers(&SprayDroplet::opacity));
+    answers->set("age", numbers(&SprayDroplet::age_s));
+    return answers;
+}
+
+std::optional<std::uint64_t> OceanNode::spray_hash() {
+    if (!ocean_with_spray()) return {};
+    return spray_hash_of(*frame());
 }
 
 std::optional<double> OceanNode::significant_wave_height_m() {

@@ -107,6 +107,22 @@ class OceanNode {
     /// \throws std::invalid_argument  if they are not enabled
     std::optional<std::uint64_t> dynamic_waves_hash();
 
+    // ---- spray
+
+    /// Returns the ocean, whose spray's commands take effect in the next frame that is scheduled.
+    /// Null if the sea's options are invalid, which are reported then.
+    /// \throws std::invalid_argument  if spray is not enabled
+    Ocean* ocean_with_spray();
+    /// As ocean_with_spray(), with no frame in flight.
+    Ocean* ocean_with_spray_between_frames();
+    /// Sets the centre of the spray of crests, also of later oceans.
+    void set_spray_center(const Vector3& place);
+    /// Returns arrays with one element per droplet of the frame of time_s(): position, velocity,
+    /// radius, opacity and age. \throws std::invalid_argument  if spray is not enabled
+    std::unique_ptr<Table> droplets();
+    /// \throws std::invalid_argument  if spray is not enabled
+    std::optional<std::uint64_t> spray_hash();
+
    private:
     std::string invalid_options(const SeaState& sea) const;
     bool make_ocean();
@@ -121,6 +137,8 @@ class OceanNode {
     std::unique_ptr<Ocean> ocean_;
     bool is_stale_ = true;            ///< the ocean differs from settings_
     bool has_dynamic_waves_ = false;  ///< of the ocean
+    bool has_spray_ = false;          ///< of the ocean
+    Vector3 spray_center_{};
     double time_s_ = 0;
     WaterFrame water_frame_;
     bool is_playing_ = true;

@@ -229,6 +229,8 @@ std::vector<OceanProperty> ocean_property_table() {
         step_property(),
     };
     add_fields(all, "dynamic_waves_", &OceanSettings::dynamic_waves_options, dynamic_waves_fields());
+    all.push_back(flag("spray", &OceanSettings::spray));
+    add_fields(all, "spray_", &OceanSettings::spray_options, spray_fields());
     for (const NumericField<WaterFrame>& field : water_frame_fields()) all.push_back(water_property(field));
     all.push_back(shore_heights_property());
     add_fields(all, "shore_", &OceanSettings::shore, shore_fields());

@@ -7,6 +7,7 @@
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore.hpp"
+#include "pelagic/sim/spray.hpp"
 
 namespace pelagic::godot {
 
@@ -22,6 +23,8 @@ struct OceanSettings {
     bool velocities = false;
     bool dynamic_waves = false;
     DynamicWavesOptions dynamic_waves_options;
+    bool spray = false;
+    SprayOptions spray_options;
     ShoreOptions shore;                    ///< no shore if heights_m is empty
     std::string interpolation = "linear";  ///< interpolation of queries: "linear" or "cubic"
     std::string quality = "medium";        ///< level of detail, a name of quadtree_presets()

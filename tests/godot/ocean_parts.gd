@@ -137,11 +137,40 @@ func test_saved_states():
 	ocean.free()
 	other.free()
 
+# The spray of tests/golden_values_test.cpp.
+func test_spray():
+	var ocean = made(given["spray_sea"])
+	var other = made(given["spray_sea"])
+	ocean.set_spray_center(Vector3(5, 9, -3))
+	other.set_spray_center(Vector3(5, 9, -3))
+	ocean.emit_spray(given["bow"])
+	ocean.time_s = 1
+	other.restore_spray(ocean.save_spray())
+	for time in [2.0625, 7.25]:
+		ocean.time_s = time
+		other.time_s = time
+		var droplets = ocean.droplets()
+		var at = [ocean.spray_hash(), str(droplets["position"].size())]
+		for i in [0, droplets["age"].size() - 1]:
+			for of in ["position", "velocity"]:
+				for axis in range(3):
+					at.append(droplets[of][i][axis])
+		say("spray %s" % JSON.print(at))
+		say("restored_spray %s" % str(other.spray_hash() == ocean.spray_hash()))
+	refusals = []
+	ocean.emit_spray({"count": 9000})
+	ocean.spray = false
+	ocean.emit_spray({})
+	say("spray_refused %s" % JSON.print(refusals))
+	ocean.free()
+	other.free()
+
 func _init():
 	var ocean = made(given["shore_sea"], true)
 	play(ocean)
 	ocean.free()
 	say("no_errors %s" % JSON.print(refusals))
 	test_saved_states()
+	test_spray()
 	say("end")
 	quit()

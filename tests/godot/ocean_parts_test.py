@@ -23,6 +23,10 @@ points = [1.5, 0.25, -7.25, 4, 12, -9.75, 3, -2, 60, 40.5, 150.5, 10, -60, 100, 
 stone = {"mode": "impulse", "x_m": 3, "z_m": -2, "radius_m": 2, "height_m": 0.4}
 boat = {"shape": "hull", "x_m": -10, "z_m": 5, "radius_m": 1, "length_m": 4, "height_m": -0.5, "velocity_x_mps": 6}
 
+spray_sea = {"cascades": 3, "resolution": 32, "wind_speed_mps": 18, "loop_period_s": 40, "spray": True}
+bow = {"time_s": 2, "x_m": 1, "y_m": 2, "z_m": -4, "extent_m": 0.5, "velocity_x_mps": 3, "velocity_y_mps": 4, "spread_mps": 1, "radius_m": 0.0625,
+       "count": 10}
+
 keys = "x_m, z_m, radius_m, length_m, heading_rad, height_m, rate_per_s, velocity_x_mps or velocity_z_mps"
 refused = [
     ("property", "dynamic_waves_resolution", 100,
@@ -62,7 +66,7 @@ with tempfile.TemporaryDirectory() as folder:
     work = Path(folder)
     (work / "heights").write_bytes(struct.pack(f"<{len(heights_m)}f", *heights_m))
     (work / "points").write_bytes(struct.pack("<16f", *points))
-    given = {"sea": sea, "shore_sea": {**sea, **shore}, "stone": stone, "boat": boat, "refused": [wrong[:3] for wrong in refused]}
+    given = {"sea": sea, "shore_sea": {**sea, **shore}, "stone": stone, "boat": boat, "spray_sea": spray_sea, "bow": bow, "refused": [wrong[:3] for wrong in refused]}
     says = run_headless(project, here / "ocean_parts.gd", work, {"GIVEN": json.dumps(given), "FILES": folder})
     assert single(says, "no_errors") == "[]"
     hashes = [words.split()[1:] for words in says["waves"]]
@@ -84,4 +88,12 @@ with tempfile.TemporaryDirectory() as folder:
     assert [json.loads(said) for said in says["together"]] == [[line] for line in together], says["together"]
     assert single(says, "off") == "True True"
     assert json.loads(single(says, "off_refused")) == ["the ocean has no dynamic waves: set dynamic_waves to true"] * 2
+    assert says["restored_spray"] == ["True"] * 2
+    for said, [hash_, count], first, last in zip(says["spray"], golden("spray"), golden("droplet")[::2], golden("droplet")[1::2]):
+        found_hash, found_count, *numbers = json.loads(said)
+        assert [found_hash, int(found_count)] == [hash_, int(count, 16)], said
+        places = [struct.unpack(">d" if len(bits) == 16 else ">f", bytes.fromhex(bits))[0] for bits in first[:6] + last[:6]]
+        # JSON has six digits or more of a number.
+        assert all(abs(a - b) <= 1e-5 * max(1, abs(b)) for a, b in zip(numbers, places)), (numbers, places)
+    assert json.loads(single(says, "spray_refused")) == ["count 9000 is out of range [0, 8192]", "the ocean has no spray: set spray to true"]
 print(f"{2 * len(hashes)} hashes, {len(samples)} numbers and {len(refused) + len(together)} errors agree")
