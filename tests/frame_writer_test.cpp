@@ -235,7 +235,7 @@ TEST(FrameCopy, HasItsOwnMemoryForEveryView) {
     }
     frame.cascades = cascades;
     const std::vector<double> passed = contents_of(frame);
-    EXPECT_EQ(passed.size(), (2 * 16 + 10) * 16u);
+    EXPECT_EQ(passed.size(), (2 * 15 + 10) * 16u);
     const FrameCopy copy(frame);
     each_view(frame, cascades, []<class View>(View& view) { view = {}; });
     memory = {};
