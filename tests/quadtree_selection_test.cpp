@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -337,7 +338,7 @@ TEST(SelectionInput, RejectsInvalidFramesAndKeepsTheList) {
     const std::vector<SelectionInput> bad = {
         {.viewer_m = {nan, 0, 0}},        {.viewer_m = {0, inf, 0}},  {.viewer_m = {0, 0, 1e9}},
         {.centre_m = glm::dvec2(nan, 0)}, {.views = {&no_number, 1}}, {.views = {&flat, 1}},
-        {.views = {&twice, 1}},           {.views = {&zero, 1}},      {.bounds = {nan, 0, 0, 0}},
+        {.views = {&twice, 1}},           {.views = {&zero, 1}},      {.bounds = {std::nanf(""), 0, 0, 0}},
         {.bounds = {2, 1, 0, 0}},         {.bounds = {0, 0, -1, 0}},
     };
     for (std::size_t i = 0; i < bad.size(); ++i) {

@@ -211,7 +211,8 @@ TEST(Shore, WeightsFoldedCascadesToo) {
                    .vertical_velocity_mps = flat,
                    .potential_m2ps = flat,
                    .reach_m = flat,
-                   .foam = no_foam};
+                   .foam = no_foam,
+                   .bounds = {}};
     std::mt19937 random(5);
     std::vector<double> x, z;
     for (int i = 0; i < 3000; ++i) {

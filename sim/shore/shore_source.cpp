@@ -59,8 +59,8 @@ double eased(double fraction) {
 double attenuation_to(double max, double value) { return value > max ? max / value : 1; }
 
 /// Calls visit(texel) for the neighbours of a texel along both axes.
-template <class Take>
-void for_neighbours(const SeaBed& bed, int i, int j, Take visit) {
+template <class Visit>
+void for_neighbours(const SeaBed& bed, int i, int j, Visit visit) {
     const std::size_t here = bed.at(i, j), columns = static_cast<std::size_t>(bed.columns);
     if (i > 0) visit(here - 1);
     if (i + 1 < bed.columns) visit(here + 1);
@@ -100,15 +100,15 @@ double waterline_slope(const SeaBed& bed) {
 /// Calls visit(texel, neighbours) for the texels of sand that waves may reach, from the water on: a
 /// texel comes after those of its neighbours that are in `neighbours`.
 /// \param swash_texels  largest distance from the water, in texels
-template <class Take>
-void for_sand(const SeaBed& bed, double swash_m, int swash_texels, Take visit) {
+template <class Visit>
+void for_sand(const SeaBed& bed, double swash_m, int swash_texels, Visit visit) {
     std::vector<std::uint8_t> is_known(bed.texels());
     std::vector<std::size_t> edge, next, from;
     for (std::size_t texel = 0; texel < bed.texels(); ++texel)
         if ((is_known[texel] = bed.is_water(texel))) edge.push_back(texel);
     const auto columns = static_cast<std::size_t>(bed.columns);
-    const auto for_those_around = [&](std::size_t texel, auto visit) {
-        for_neighbours(bed, static_cast<int>(texel % columns), static_cast<int>(texel / columns), visit);
+    const auto for_those_around = [&](std::size_t texel, auto visit_neighbour) {
+        for_neighbours(bed, static_cast<int>(texel % columns), static_cast<int>(texel / columns), visit_neighbour);
     };
     for (int texel_away = 1; texel_away <= swash_texels && !edge.empty(); ++texel_away) {
         next.clear();

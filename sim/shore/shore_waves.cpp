@@ -34,8 +34,8 @@ struct Reach {
 };
 
 /// Calls visit(k, energy of the shell) for each shell, from long waves to short ones.
-template <class Take>
-void for_shells(const WaveSpectrum& spectrum, const CascadePlan& cascade, Take visit) {
+template <class Visit>
+void for_shells(const WaveSpectrum& spectrum, const CascadePlan& cascade, Visit visit) {
     const Reach reach(cascade);
     const double ratio = det::pow(reach.max_k / reach.min_k, 1.0 / shells), step = det::log(ratio);
     double k = reach.min_k * std::sqrt(ratio);

@@ -30,8 +30,8 @@ double group_velocity_from(double tanh_kd, double k, const Water& water) {
 }
 
 /// Calls visit(first, count) for consecutive batches of `size` values.
-template <class Take>
-void for_batches(std::size_t size, Take visit) {
+template <class Visit>
+void for_batches(std::size_t size, Visit visit) {
     for (std::size_t first = 0; first < size; first += det::batch_size)
         visit(first, std::min(det::batch_size, size - first));
 }
