@@ -37,7 +37,7 @@ COcean& needed_ocean_with_spray(COcean* ocean) {
 
 const Frame& shown_frame(const pelagic_ocean* ocean) {
     need_frame(needed_ocean_with_spray(ocean));
-    return *ocean->shown;
+    return *ocean->current;
 }
 
 template <class Number, class Member>
