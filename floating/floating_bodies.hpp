@@ -93,6 +93,7 @@ class FloatingBodies {
    private:
     /// Hulls of equal digests.
     struct Kind {
+        /// \param waves  null: no wakes
         Kind(const Hull& of, std::uint64_t its_digest, DynamicWaves* waves);
         Hull hull;
         std::uint64_t digest;

@@ -52,6 +52,7 @@ double compression_of(const Frame& frame, double x_m, double z_m);
 /// Samples the foam of a frame's cascades. A view of the frame.
 class FoamSampler {
    public:
+    /// \param frame  must outlive the sampler, with its views
     explicit FoamSampler(const Frame& frame);
 
     /// Returns whether the frame's cascades have foam.

@@ -18,6 +18,8 @@ inline constexpr double sea_surface_tension_m3ps2 = 0.074 / 1025;
 
 /// Depth and surface tension of the water. Converts from a depth alone.
 struct Water {
+    /// \param depth  depth_m
+    /// \param tension  tension_m3ps2
     constexpr Water(double depth, double tension = 0) : depth_m(depth), tension_m3ps2(tension) {}
 
     double depth_m;  ///< above 0

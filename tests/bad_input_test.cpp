@@ -70,7 +70,7 @@ std::vector<BadInput> bad_inputs() {
         {{"bench", "--sizes", "64,"}, {"--sizes", "is 64,", "powers of two from 16 to 2048"}},
         {{"bench", "--sizes", "-64"}, {"--sizes", "is -64", "powers of two from 16 to 2048"}},
         {{"bench", "--headset", "--sizes", "64"}, {"--sizes", "--headset", "leave out"}},
-        {{"bench", "--textures-only", "--bytes"}, {"--textures-only", "--bytes", "cannot be combined"}},
+        {{"bench", "--textures-only", "--bytes", "bytes.json"}, {"--textures-only", "--bytes", "cannot be combined"}},
         {{"bench", "--seconds", "0"}, {"--seconds", " 0 is out of range", "[0.1, 3600]"}},
         {{"bench", "--seconds", "long"}, {"--seconds", " long is out of range", "[0.1, 3600]"}},
         {{"bench", "--isa", "mmx"}, {"--isa", "is mmx", "on this CPU"}},

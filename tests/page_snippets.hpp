@@ -12,6 +12,7 @@
 #include "pelagic/floating/hull_mesh.hpp"
 #include "pelagic/gl/functions.hpp"
 #include "pelagic/gl/sky/sky_baker.hpp"
+#include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/quadtree/camera.hpp"
 #include "pelagic/quadtree/selection.hpp"

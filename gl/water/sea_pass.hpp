@@ -36,6 +36,7 @@ class SeaPass {
 
     /// Returns the renderer, to set sky, water, floor, shading and exclusion maps.
     SeaRenderer& renderer() { return renderer_; }
+    /// Returns the renderer, to read what it draws.
     const SeaRenderer& renderer() const { return renderer_; }
     /// Returns the selection of the last draw().
     const Selection& selection() const { return selection_; }
