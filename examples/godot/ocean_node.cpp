@@ -244,7 +244,8 @@ std::unique_ptr<Table> OceanNode::droplets() {
         Pool<Vector3> pool(all.size());
         pool.fill([&](std::span<Vector3> room) {
             for (std::size_t i = 0; i < all.size(); ++i)
-                room[i] = {static_cast<float>(all[i].*x), static_cast<float>(all[i].*y), static_cast<float>(all[i].*z)};
+                room[i] = {static_cast<float>(all[i].*x), static_cast<float>(all[i].*y),
+                           static_cast<float>(all[i].*z)};
         });
         return pool.value();
     };

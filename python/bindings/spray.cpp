@@ -80,8 +80,9 @@ void restore_spray(SharedOcean& ocean, py::handle saved) {
 
 py::dtype droplet_type() {
     py::list fields;
-    for (const auto& [name, type] : {std::pair("position", "3f8"), std::pair("velocity", "3f4"), std::pair("radius", "f4"),
-                                     std::pair("opacity", "f4"), std::pair("age", "f4")})
+    for (const auto& [name, type] :
+         {std::pair("position", "3f8"), std::pair("velocity", "3f4"), std::pair("radius", "f4"),
+          std::pair("opacity", "f4"), std::pair("age", "f4")})
         fields.append(py::make_tuple(name, type));
     return py::dtype::from_args(fields);
 }
@@ -112,7 +113,8 @@ void add_spray(py::module_& module, FrameClass& frame, OceanClass& ocean) {
     module.def("check_spray_emitter", [](py::handle object) { read_emitter(object); });
     module.def("spray_fields", [] { return described(spray_fields()); });
     module.def("spray_emitter_fields", [] { return described(spray_emitter_fields()); });
-    ocean.def("set_spray_center", &set_spray_center, py::arg("x_m"), py::arg("z_m"), doc_of("Ocean.set_spray_center"));
+    ocean.def("set_spray_center", &set_spray_center, py::arg("x_m"), py::arg("z_m"),
+              doc_of("Ocean.set_spray_center"));
     ocean.def("emit", &emit, py::arg("emitters"), doc_of("Ocean.emit"));
     ocean.def("save_spray", &save_spray, doc_of("Ocean.save_spray"));
     ocean.def("restore_spray", &restore_spray, py::arg("saved"), doc_of("Ocean.restore_spray"));

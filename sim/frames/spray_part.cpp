@@ -37,16 +37,16 @@ const SprayOptions& checked_spray(const SprayOptions& options) {
     return options;
 }
 
-/// Returns whether launched droplets can have these values, so that no damaged state makes a frame's
-/// numbers infinite.
+/// Returns whether a droplet of an emitter can have these values: within the ranges of SprayEmitter
+/// and WaterFrame, and twice that for sums.
 bool is_launched(const StoredDroplet& droplet) {
     const auto& [flight, tick, launch_s, lifetime_s, radius_m, growth_mps, opacity] = droplet;
     bool is_bounded = tick == 0 && std::abs(launch_s) <= 1e9 && flight.relaxation_s > 0 && flight.relaxation_s <= 1 &&
                       lifetime_s > 0 && lifetime_s <= static_cast<float>(max_spray_lifetime_s) && radius_m > 0 &&
                       radius_m <= 1 && growth_mps >= 0 && growth_mps <= 2 && opacity >= 0 && opacity <= 1;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        is_bounded = is_bounded && std::abs(flight.start_m[axis]) <= 2e10 && std::abs(flight.start_mps[axis]) <= 300 &&
-                     std::abs(flight.wind_mps[axis]) <= 300;
+        is_bounded = is_bounded && std::abs(flight.start_m[axis]) <= 2e10 &&
+                     std::abs(flight.start_mps[axis]) <= 300 && std::abs(flight.wind_mps[axis]) <= 300;
     return is_bounded;
 }
 

@@ -50,7 +50,8 @@ double BreakingSurface::compression(double x_m, double z_m) const {
             return static_cast<double>(plane[to]) - static_cast<double>(plane[from]);
         };
         // x and z are at angles to the cascade's axes: d/dx = cos d/du - sin d/dv.
-        const double along = grid.cosine * change(texels.dx, left, right) + grid.sine * change(texels.dz, left, right);
+        const double along =
+            grid.cosine * change(texels.dx, left, right) + grid.sine * change(texels.dz, left, right);
         const double across =
             grid.cosine * change(texels.dz, above, below) - grid.sine * change(texels.dx, above, below);
         sum -= static_cast<double>(weights[c]) * scale * (along + across) * texels.resolution / (2 * grid.side_m);

@@ -75,7 +75,8 @@ void CrestSpray::launch_breaking() {
         const Breaking& from = breaking_[i];
         const SprayVector at = surface_.at(from.x_m, from.z_m);
         SprayVector velocity;
-        for (std::size_t axis = 0; axis < at.size(); ++axis) velocity[axis] = (at[axis] - from.at_m[axis]) / tick_.tick_s;
+        for (std::size_t axis = 0; axis < at.size(); ++axis)
+            velocity[axis] = (at[axis] - from.at_m[axis]) / tick_.tick_s;
         SprayRandom random(from.key);
         droplets_.add(leaves_crest(at, velocity, tick_.number, tick_.tick_s, longest_s, tick_.wind, random));
     }
@@ -105,9 +106,9 @@ void CrestSpray::find_breaking() {
 /// Returns the factor of bursts in a cell; its mean is 1.
 double CrestSpray::burst(std::int64_t cell_x, std::int64_t cell_z) const {
     const auto block = [](std::int64_t at, std::int64_t size) { return (at >= 0 ? at : at - size + 1) / size; };
-    SprayRandom random(spray_key(
-        spray_key(spray_key(~std::uint64_t{options_.seed}, tick_.in_loop / ticks_of_burst), block(cell_x, cells_of_burst)),
-        block(cell_z, cells_of_burst)));
+    const std::uint64_t of_time = spray_key(~std::uint64_t{options_.seed}, tick_.in_loop / ticks_of_burst);
+    SprayRandom random(
+        spray_key(spray_key(of_time, block(cell_x, cells_of_burst)), block(cell_z, cells_of_burst)));
     const double u = random.next();
     return 3 * u * u;
 }

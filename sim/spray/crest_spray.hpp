@@ -27,10 +27,10 @@ class CrestSpray {
 
     struct Tick {
         std::int64_t number = 0;
-        int in_loop = 0;        ///< its number in its loop
-        double tick_s = 0;      ///< interval of ticks
+        int in_loop = 0;    ///< its number in its loop
+        double tick_s = 0;  ///< interval of ticks
         SprayWind wind;
-        double foam_level = 0;  ///< SeaStatistics::foam_level
+        double foam_level = 0;    ///< SeaStatistics::foam_level
         double x_m = 0, z_m = 0;  ///< centre, in the frame of the water
     };
 
