@@ -140,8 +140,9 @@ TEST(FoamDrift, MatchesWindAndStokesDriftOverALoop) {
                 cascade.grid.in_world(loop.x * cascade.texel_m(), loop.z * cascade.texel_m());
             // Rounded to whole texels along each of two axes.
             const double bound = std::sqrt(0.5) * cascade.texel_m() / sea.loop_period_s * (1 + 1e-9);
-            EXPECT_LE(std::hypot(moved.along / sea.loop_period_s - drift_x, moved.across / sea.loop_period_s - drift_z),
-                      bound);
+            const double error_x = moved.along / sea.loop_period_s - drift_x;
+            const double error_z = moved.across / sea.loop_period_s - drift_z;
+            EXPECT_LE(std::hypot(error_x, error_z), bound);
         }
     }
 }

@@ -27,6 +27,7 @@
 using namespace pelagic;
 
 extern SeaState sea, calm, storm;
+extern double camera_x, camera_z;
 extern const Frame& frame;
 extern const SurfaceQuery& water;
 extern AnalyticSea other_waves;

@@ -27,7 +27,7 @@ namespace {
 using emscripten::typed_memory_view;
 using emscripten::val;
 
-constexpr std::array<std::string_view, 9> ocean_option_names = {
+constexpr std::array<std::string_view, 10> ocean_option_names = {
     "threads", "queries", "velocities", "gradients", "slopes", "foam", "dynamicWaves", "shore", "spray", "inputs"};
 
 bool is_finite(double number) { return std::isfinite(number); }

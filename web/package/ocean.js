@@ -144,6 +144,7 @@ export class Frame {
   get statistics() { return this.#describe().statistics; }
   get isa() { return this.#describe().isa; }
   get bounds() { return this.#describe().bounds; }
+  get snapshotAges() { return this.#describe().snapshotAges; }
 
   get cascades() {
     this.#cascades ??= this.#describe().cascades.map((about, number) => new Cascade(this, number, about));
