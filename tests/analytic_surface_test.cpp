@@ -263,11 +263,11 @@ TEST(AnalyticPhysics, WavesTravelAtTheDeepWaterPhaseSpeed) {
 // t) solves Euler's equations.
 class Trochoid : public testing::Test {
    protected:
-    static constexpr double wavelength_m = 20, k = 2 * std::numbers::pi / wavelength_m, surface_per_m = 0.38 / k;
+    static constexpr double wavelength_m = 20, k = 2 * std::numbers::pi / wavelength_m, amplitude_m = 0.38 / k;
     /// The surface of particles that are `depth_m` below the mean surface in still water.
     static AnalyticSurface at_depth(double depth_m) {
         return AnalyticSurface(
-            {.waves = {{.amplitude_m = surface_per_m * std::exp(-k * depth_m), .wavelength_m = wavelength_m}}});
+            {.waves = {{.amplitude_m = amplitude_m * std::exp(-k * depth_m), .wavelength_m = wavelength_m}}});
     }
 };
 
@@ -278,12 +278,12 @@ TEST_F(Trochoid, ParticlesMoveOnCircles) {
     for (int i = 0; i < 40; ++i) {
         const double t = 0.13 * i, phase = k * 3.3 - w * t;
         const Sampled at = sample_undisplaced(water, t, positions);
-        EXPECT_NEAR(at.of[Sampled::horizontal_x][0], -surface_per_m * std::sin(phase), 1e-6 * surface_per_m);
-        EXPECT_NEAR(at.of[Sampled::height][0], surface_per_m * std::cos(phase), 1e-6 * surface_per_m);
-        EXPECT_NEAR(std::hypot(at.of[Sampled::horizontal_x][0], at.of[Sampled::height][0]), surface_per_m,
-                    1e-6 * surface_per_m);
-        EXPECT_NEAR(std::hypot(at.of[Sampled::velocity_x][0], at.of[Sampled::velocity_y][0]), surface_per_m * w,
-                    1e-6 * surface_per_m * w);
+        EXPECT_NEAR(at.of[Sampled::horizontal_x][0], -amplitude_m * std::sin(phase), 1e-6 * amplitude_m);
+        EXPECT_NEAR(at.of[Sampled::height][0], amplitude_m * std::cos(phase), 1e-6 * amplitude_m);
+        EXPECT_NEAR(std::hypot(at.of[Sampled::horizontal_x][0], at.of[Sampled::height][0]), amplitude_m,
+                    1e-6 * amplitude_m);
+        EXPECT_NEAR(std::hypot(at.of[Sampled::velocity_x][0], at.of[Sampled::velocity_y][0]), amplitude_m * w,
+                    1e-6 * amplitude_m * w);
         EXPECT_EQ(at.of[Sampled::horizontal_z][0], 0);
     }
 }

@@ -1,5 +1,6 @@
-// Stages `gradients+mipmaps`, `mipmaps tail`, `slopes+mipmaps` and `slopes tail`: they compute the textures of a cascade from its displacement. Stage `columns+textures` replaces the
-// first of each map in frames without planes.
+// Stages `gradients+mipmaps`, `mipmaps tail`, `slopes+mipmaps` and `slopes tail`: they compute the
+// textures of a cascade from its displacement. Stage `columns+textures` replaces the first of each
+// map in frames without planes.
 #pragma once
 
 #include <cstddef>
