@@ -17,11 +17,13 @@ namespace {
 
 constexpr double min_wavelength_m = 0.01;
 
-constexpr std::array analytic_wave_field_table = {
-    NumericField<AnalyticWave>{"amplitude_m", &AnalyticWave::amplitude_m, 0, 100, "[0, 100]"},
-    NumericField<AnalyticWave>{"wavelength_m", &AnalyticWave::wavelength_m, min_wavelength_m, 1000, "[0.01, 1000]"},
-    NumericField<AnalyticWave>{"direction_rad", &AnalyticWave::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
-    NumericField<AnalyticWave>{"phase_rad", &AnalyticWave::phase_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+constexpr NumericField<AnalyticWave> analytic_wave_field_table[] = {
+    // generated from schema/analytic_wave.toml: table
+    {"amplitude_m", &AnalyticWave::amplitude_m, 0, 100, "[0, 100]"},
+    {"wavelength_m", &AnalyticWave::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
+    {"direction_rad", &AnalyticWave::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    {"phase_rad", &AnalyticWave::phase_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    // end of generated
 };
 
 bool is_same_wave(const AnalyticWave& a, const AnalyticWave& b) {

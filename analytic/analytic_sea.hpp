@@ -14,10 +14,17 @@ namespace pelagic {
 /// A wave in deep water: height = amplitude cos(k.x - w t + phase), w^2 = g k.
 /// analytic_wave_fields() has the ranges.
 struct AnalyticWave {
-    double amplitude_m = 0;    ///< [0, 100]
-    double wavelength_m = 10;  ///< [0.01, 1000]
-    double direction_rad = 0;  ///< in which it travels, from +x towards +z; [-2 pi, 2 pi]
-    double phase_rad = 0;      ///< at x = z = t = 0, a crest by default; [-2 pi, 2 pi]
+    // generated from schema/analytic_wave.toml: members
+    /// Amplitude; the sum of 2 pi amplitude_m / wavelength_m over the waves is at most 0.4;
+    /// [0, 100].
+    double amplitude_m = 0;
+    /// Wavelength; [0.01, 1000].
+    double wavelength_m = 10;
+    /// Direction of travel, from +x towards +z; [-2 pi, 2 pi].
+    double direction_rad = 0;
+    /// Phase at x = z = t = 0, a crest by default; [-2 pi, 2 pi].
+    double phase_rad = 0;
+    // end of generated
 };
 
 struct AnalyticSea {

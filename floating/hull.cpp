@@ -20,6 +20,7 @@ namespace pelagic {
 namespace {
 
 constexpr NumericField<HullOptions> hull_field_table[] = {
+    // generated from schema/hull.toml: table
     {"mass_kg", &HullOptions::mass_kg, 1e-6, 1e10, "[1e-6, 1e10]"},
     {"heave_damping", &HullOptions::heave_damping, 0, 0.999, "[0, 0.999]"},
     {"roll_damping", &HullOptions::roll_damping, 0, 0.999, "[0, 0.999]"},
@@ -32,6 +33,7 @@ constexpr NumericField<HullOptions> hull_field_table[] = {
     {"skeg_m2", &HullOptions::skeg_m2, 0, 1e4, "[0, 1e4]"},
     {"skeg_x_m", &HullOptions::skeg_x_m, -1000, 1000, "[-1000, 1000]"},
     {"skeg_y_m", &HullOptions::skeg_y_m, -1000, 1000, "[-1000, 1000]"},
+    // end of generated
 };
 
 /// Returns whether all pivots of a symmetric matrix are at least 0, within rounding.

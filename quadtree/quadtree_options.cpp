@@ -20,13 +20,15 @@ constexpr QuadtreePreset presets[] = {
 };
 
 using Field = NumericField<QuadtreeOptions>;
-constexpr std::array fields = {
-    Field{"size_m", &QuadtreeOptions::size_m, 256, 8192, "[256, 8192]"},
-    Field{"vertices", &QuadtreeOptions::vertices, 2, 128, "an even number from 2 to 128", Restriction::even},
-    Field{"lod_scale", &QuadtreeOptions::lod_scale, 0.75, 8, "[0.75, 8]"},
-    Field{"cull_scale", &QuadtreeOptions::cull_scale, 1, 4, "[1, 4]"},
-    Field{"batch_limit", &QuadtreeOptions::batch_limit, 0, std::numeric_limits<int>::max(), "0 or more"},
-    Field{"finest_patch_m", &QuadtreeOptions::finest_patch_m, 16, 64, "[16, 64]"},
+constexpr Field fields[] = {
+    // generated from schema/quadtree.toml: table
+    {"size_m", &QuadtreeOptions::size_m, 256, 8192, "[256, 8192]"},
+    {"vertices", &QuadtreeOptions::vertices, 2, 128, "an even number from 2 to 128", Restriction::even},
+    {"lod_scale", &QuadtreeOptions::lod_scale, 0.75, 8, "[0.75, 8]"},
+    {"cull_scale", &QuadtreeOptions::cull_scale, 1, 4, "[1, 4]"},
+    {"batch_limit", &QuadtreeOptions::batch_limit, 0, 2147483647, "0 or more"},
+    {"finest_patch_m", &QuadtreeOptions::finest_patch_m, 16, 64, "[16, 64]"},
+    // end of generated
 };
 
 }  // namespace

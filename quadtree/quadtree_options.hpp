@@ -12,16 +12,21 @@ inline constexpr double paper_patch_m = 64;
 
 /// A square sea of level-of-detail patches around the viewer (VR Ocean, section 5.1).
 struct QuadtreeOptions {
-    double size_m = 2048;  ///< S, the side of the square; [256, 8192]
-    int vertices = 64;     ///< V, steps along a patch's side, V + 1 vertices; even, [2, 128]
-    /// tau: a patch splits nearer than tau times its side (equation 57); [0.75, 8]
+    // generated from schema/quadtree.toml: members
+    /// S, the side of the square; [256, 8192].
+    double size_m = 2048;
+    /// V, steps along a patch's side, with V + 1 vertices; an even number from 2 to 128.
+    int vertices = 64;
+    /// Tau: a patch splits nearer than tau times its side (equation 57); [0.75, 8].
     double lod_scale = 2.2;
-    /// beta: scales the boxes for culling, for applications that add displacement; [1, 4]
+    /// Beta: scales the boxes for culling, for applications that add displacement; [1, 4].
     double cull_scale = 1;
-    int batch_limit = 0;  ///< maximum number of instances in one draw call; 0: no limit
-    /// Side of the smallest patches, about, for eyes near the water. The paper has 64 m (equation
-    /// 56), whose vertices are 1 m apart if V is 64; [16, 64]
-    double finest_patch_m = paper_patch_m;
+    /// Maximum number of instances in one draw call; 0 or more. 0: no limit.
+    int batch_limit = 0;
+    /// Side of the smallest patches, about, for eyes near the water; [16, 64]. The paper has 64 m
+    /// (equation 56), whose vertices are 1 m apart if V is 64.
+    double finest_patch_m = 64;
+    // end of generated
 };
 
 /// Returns an empty string if the options are valid, else a message about the first invalid field:

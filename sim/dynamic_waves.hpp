@@ -29,33 +29,45 @@
 
 namespace pelagic {
 
+// generated from schema/dynamic_waves.toml: enumerations
 enum class DynamicWavesStep {
     /// Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable
-    /// at any length of a tick. Wakes have Kelvin's angle.
+    /// at any length of a tick; wakes have Kelvin's angle.
     spectral,
-    /// h' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4:
+    /// H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4:
     /// one speed for all waves, for ponds and rings.
-    verlet
+    verlet,
 };
 template <>
 struct EnumNames<DynamicWavesStep> {
     static constexpr std::array<std::string_view, 2> all = {"spectral", "verlet"};
 };
+// end of generated
 
 struct DynamicWavesOptions {
+    // generated from schema/dynamic_waves.toml: members
+    /// How a tick advances the waves.
     DynamicWavesStep step = DynamicWavesStep::spectral;
-    int resolution = 256;  ///< N, texels along a side; 64, 128, 256, 512 or 1024
-    double side_m = 64;    ///< [1, 10000]
-    int ticks_per_s = 60;  ///< [10, 240]
-    /// Width of the absorbing border along each side, [0.001, side_m / 4]; 0: no border, and waves
+    /// N, texels along a side; 64, 128, 256, 512 or 1024.
+    int resolution = 256;
+    /// Side of the grid; [1, 10000].
+    double side_m = 64;
+    /// Ticks of the simulation a second; [10, 240].
+    int ticks_per_s = 60;
+    /// Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves
     /// wrap around.
     double border_m = 12;
-    double depth_m = 1e4;          ///< spectral; [0.01, 11000]
-    double viscosity_m2ps = 2e-3;  ///< spectral: eddy viscosity nu; [0, 1]
-    double wave_speed_mps = 3;     ///< Verlet; (0, 1000], and c <= 0.4
-    double decay_per_s = 0.01;     ///< of amplitudes; [0, 10]
+    /// Depth of the water (spectral); [0.01, 11000].
+    double depth_m = 1e4;
+    /// Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1].
+    double viscosity_m2ps = 2e-3;
+    /// Speed of all waves, with (speed / (ticks_per_s texel))^2 at most 0.4 (verlet); (0, 1000].
+    double wave_speed_mps = 3;
+    /// Decay rate of amplitudes; [0, 10].
+    double decay_per_s = 0.01;
     /// Foam begins above this height and is full at twice it; [0.001, 100].
     double foam_height_m = 0.2;
+    // end of generated
 };
 
 /// Returns the table of the numeric options.

@@ -15,14 +15,18 @@ struct DynamicWavesOptions;
 /// q = (r / radius_m)^2, so the volume of the water is constant. The drops depend only on the seed,
 /// the tick and the position in the world.
 struct Rain {
-    /// Mean number of drops, which is Poisson-distributed; at most the value that puts 16 on a
-    /// texel in a tick. 0: no rain.
+    // generated from schema/rain.toml: members
+    /// Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number.
+    /// 0: no rain.
     double drops_per_m2_s = 0;
     /// Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel
     /// is a texel wide on the grid, flatter and with equal volume.
     double radius_m = 0.25;
-    double height_m = 0.02;  ///< depth of a crater; [-10, 10]
+    /// Depth of a crater; [-10, 10].
+    double height_m = 0.02;
+    /// Seed of the drops.
     std::uint32_t seed = 1;
+    // end of generated
 };
 
 /// Returns the table of its fields, which accept any number of their type. check() has the ranges,

@@ -23,12 +23,21 @@
 namespace pelagic {
 
 struct Ripple {
-    double x_m = 0, z_m = 0;  ///< centre; [-1e8, 1e8]
-    double wavelength_m = 1;  ///< [0.01, 1000]
-    double amplitude_m = 0;   ///< [0, 100], and at most wavelength_m / (2 pi), a slope of 1
-    /// R; [0, 1e5]. 0 or more than half of the cascade's side: half of that side.
+    // generated from schema/ripple.toml: members
+    /// Centre; [-1e8, 1e8].
+    double x_m = 0;
+    /// Centre; [-1e8, 1e8].
+    double z_m = 0;
+    /// Wavelength; [0.01, 1000].
+    double wavelength_m = 1;
+    /// Amplitude at the centre, at most wavelength_m / (2 pi), a slope of 1; [0, 100].
+    double amplitude_m = 0;
+    /// Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
+    /// half of that side.
     double reach_m = 0;
-    double phase_rad = 0;  ///< at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi]
+    /// Phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi].
+    double phase_rad = 0;
+    // end of generated
 };
 
 /// Returns the table of its numeric fields.

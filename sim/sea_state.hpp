@@ -12,6 +12,7 @@
 
 namespace pelagic {
 
+// generated from schema/sea.toml: enumerations
 /// Wave model: the spectrum of a wind; up to 64 analytic waves (analytic/analytic_sea.hpp); or
 /// procedural pond waves, octaves of exp(sin - 1) (analytic/pond_waves.hpp).
 enum class WaveModel { spectrum, analytic, pond };
@@ -23,17 +24,17 @@ struct EnumNames<WaveModel> {
 enum class SpectrumModel { phillips_paper, phillips, pierson_moskowitz, jonswap };
 template <>
 struct EnumNames<SpectrumModel> {
-    static constexpr std::array<std::string_view, 4> all = {"phillips-paper", "phillips", "pierson-moskowitz",
-                                                            "jonswap"};
+    static constexpr std::array<std::string_view, 4> all = {"phillips-paper", "phillips", "pierson-moskowitz", "jonswap"};
 };
 
-/// Directional spreading around the wind. The measured models, hasselmann and donelan_banner,
+/// Directional spreading around the wind. The measured models, hasselmann and donelan-banner,
 /// depend on frequency and on the ratio of the wind speed to the peak's phase speed.
 enum class SpreadingModel { paper, cosine_2s, hasselmann, donelan_banner };
 template <>
 struct EnumNames<SpreadingModel> {
     static constexpr std::array<std::string_view, 4> all = {"paper", "cosine-2s", "hasselmann", "donelan-banner"};
 };
+// end of generated
 
 /// Number of cascades that holds the waves of a sea down to a length of about 0.1 m.
 inline constexpr int default_cascades = 4;
@@ -41,69 +42,74 @@ inline constexpr int default_cascades = 4;
 /// Options in SI units, which the names include. sea_state_fields() lists the ranges, and check()
 /// checks them.
 struct SeaState {
-    /// The wave model. Only a spectrum uses spectrum, spreading, fetch, depth, short_wave_cutoff,
-    /// wind_alignment, swell, seed and whitecaps. Only the other models use wave_count and the
-    /// options after it. All models use the wind, whose direction is that of their waves.
+    // generated from schema/sea.toml: members
+    /// Wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, short_wave_cutoff,
+    /// wind_alignment, the swell and seed. Only the other models use wave_count and the options
+    /// after it. All models use the wind, whose direction is that of their waves. A pond has one
+    /// cascade.
     WaveModel waves = WaveModel::spectrum;
+    /// Wave spectrum.
     SpectrumModel spectrum = SpectrumModel::jonswap;
-    /// phillips-paper accepts only `paper`.
+    /// Directional spreading. The spectrum phillips-paper accepts only paper.
     SpreadingModel spreading = SpreadingModel::paper;
-
-    /// Number of cascades, each a band of wavelengths (cascade_plan.hpp); 1 to 4. 0:
-    /// default_cascades, or one if patch_size_m is set or the model has only one.
+    /// Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if
+    /// patch_size_m is set, the resolution is 16 or the model has only one. More than one excludes
+    /// patch_size_m.
     int cascades = 0;
-    /// N, texels along a side of each cascade; a power of two, 16 to 2048. 0: 128, or 256 if
+    /// N, texels along a side of each cascade; a power of two from 16 to 2048. 0: 128, or 256 if
     /// patch_size_m is set.
     int resolution = 0;
     /// L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived
-    /// from the sea state.
+    /// from the sea.
     double patch_size_m = 0;
     /// U10, mean wind speed 10 m above the sea; (0, 60].
     double wind_speed_mps = 12;
-    /// Direction the wind blows towards, from +x towards +z; [-2 pi, 2 pi].
+    /// Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi].
     double wind_direction_rad = 0;
     /// Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
     /// an effect; (0, 2e6].
     double fetch_m = 100e3;
-    /// Depth of the water, which slows and lowers long waves; [0.01, 11000].
+    /// Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6
+    /// of it break.
     double depth_m = 4000;
-    /// lambda, the scale of horizontal displacements; 0 gives a height field; [0, 1].
+    /// Scale of horizontal displacements; [0, 1]. 0 gives a height field.
     double choppiness = 0.8;
-    /// Unresolved roughness, for the smoothness channel; [0, 1]. -1: derived from the slopes that
-    /// the cascades do not resolve in this wind (SeaStatistics).
+    /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
+    /// that the cascades do not resolve in this wind.
     double roughness = -1;
     /// 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength; [0, 1].
     double short_wave_cutoff = 0;
-    /// Wind alignment, alpha of equations 6 to 9, for the spreading `paper`; [0, 1]. With 0 a third
-    /// of the energy runs against the wind and little across it; with 1 a hundredth runs against
-    /// it.
+    /// Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper;
+    /// [0, 1]. With 0 a third of the energy runs against the wind and little across it; with 1 a
+    /// hundredth runs against it.
     double wind_alignment = 0.5;
-    /// Significant wave height of a swell, in addition to the waves of the wind; 0: none; [0, 30].
+    /// Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no
+    /// swell.
     double swell_height_m = 0;
     /// Peak period of the swell; [1, 40].
     double swell_period_s = 12;
-    /// Direction the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi].
+    /// Direction that the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi].
     double swell_direction_rad = 0;
-    /// Standard deviation of the swell's directions; 1 to 80 degrees, 15 by default.
+    /// Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default.
     double swell_spread_rad = 0.26179938779914943;
     /// T, the period after which the sea repeats exactly; [0.1, 86400].
     double loop_period_s = 200;
-    /// Seed of the random phases and amplitudes; any 32-bit number.
+    /// Seed of the random phases and amplitudes.
     std::uint32_t seed = 1;
-    /// Number of analytic waves (0: 16) or of pond octaves (0: 24); 1 to 64.
+    /// Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves.
     int wave_count = 0;
-    /// Longest wavelength; [0.02, 1000]. 0: 120, of a pond 1.2.
+    /// Longest wavelength of an analytic sea or a pond; [0.02, 1000]. 0: 120, of a pond 1.2.
     double longest_wave_m = 0;
-    /// Shortest wavelength, at most the longest; [0.01, 1000]. 0: longest / 60, of a pond
-    /// longest / 45.
+    /// Shortest wavelength, at most the longest; [0.01, 1000]. 0: the longest / 60, of a pond / 45.
     double shortest_wave_m = 0;
     /// Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2].
     double wave_strength = 1;
-    /// Significant wave height; [0, 30], of a pond above 0. -1: derived from wave_strength, of a pond
-    /// 0.017 longest_wave_m.
+    /// Significant wave height of an analytic sea or a pond; [0, 30]. -1: from wave_strength, of a
+    /// pond 0.017 longest_wave_m. Of a pond it is above 0.
     double wave_height_m = -1;
-    /// Horizontal drag of a pond's short waves by its long ones; 0: none; [0, 1].
+    /// Horizontal drag of a pond's short waves by its long ones; [0, 1].
     double wave_drag = 0.38;
+    // end of generated
 };
 
 /// Return the option, or the value derived for 0. \pre check(sea) is empty

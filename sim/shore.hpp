@@ -15,27 +15,36 @@ namespace pelagic {
 struct ShoreOptions {
     static constexpr int max_samples_per_side = 4096;
 
+    // generated from schema/shore.toml: members to rows
+    /// Samples of the floor along x; 2 to 4096.
+    int columns = 0;
+    /// Samples of the floor along z; 2 to 4096.
+    int rows = 0;
+    // end of generated
     /// Heights of the floor above the rest level, metres, [-11000, 9000]. Sample (i, j) is
     /// heights_m[j * columns + i] and has the position x = corner_x_m + i metres_per_sample, z alike.
-    /// Columns and rows are 2 to 4096.
     ///
     /// The shore is the rectangle of the samples. Beyond it the floor continues as at its nearest
     /// edge: dry ground stays dry, and the sea is open where it is deep enough for its waves.
-    int columns = 0, rows = 0;
     std::vector<float> heights_m = {};
-    double corner_x_m = 0, corner_z_m = 0;  ///< [-1e8, 1e8]
-    double metres_per_sample = 1;           ///< [0.001, 10000]
-
-    /// Texels along the longer side of Frame::shore; 64, 128, 256, 512 or 1024.
+    // generated from schema/shore.toml: members after rows
+    /// Position of the first sample; [-1e8, 1e8].
+    double corner_x_m = 0;
+    /// Position of the first sample; [-1e8, 1e8].
+    double corner_z_m = 0;
+    /// Distance of neighbouring samples; [0.001, 10000].
+    double metres_per_sample = 1;
+    /// Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024.
     int resolution = 256;
     /// Width of the strip along the edges over which the coarsest cascade fades into waves over the
-    /// floor; [0, half of the shorter side]. 0: an eighth of it.
+    /// floor; [0, half the field's shorter side]. 0: an eighth of the shorter side.
     double fade_m = 0;
     /// Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. -1:
     /// the height that 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant
     /// wave height and peak period and the median slope at the waterline. Waves in the water do not
     /// depend on it.
     double swash_m = -1;
+    // end of generated
 };
 
 /// Returns the table of the numeric options.

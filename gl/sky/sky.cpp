@@ -12,18 +12,21 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr auto half_pi = double{std::numbers::pi_v<float> / 2},
-               max_float = double{std::numeric_limits<float>::max()};
+constexpr auto half_pi = double{std::numbers::pi_v<float> / 2};
 
 using Field = NumericField<SkyOptions>;
-constexpr std::array fields = {
-    Field{"sun_azimuth_rad", &SkyOptions::sun_azimuth_rad, -max_float, max_float, "a finite number"},
-    Field{"sun_elevation_rad", &SkyOptions::sun_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
-    Field{"cloud_cover", &SkyOptions::cloud_cover, 0, 1, "[0, 1]"},
-    Field{"visibility_m", &SkyOptions::visibility_m, 500, 300e3, "[500, 300e3]"},
-    Field{"cloud_seed", &SkyOptions::cloud_seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
-    Field{"moon_azimuth_rad", &SkyOptions::moon_azimuth_rad, -max_float, max_float, "a finite number"},
-    Field{"moon_elevation_rad", &SkyOptions::moon_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
+constexpr Field fields[] = {
+    // generated from schema/sky.toml: table
+    {"sun_azimuth_rad", &SkyOptions::sun_azimuth_rad, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
+     "a finite number"},
+    {"sun_elevation_rad", &SkyOptions::sun_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
+    {"cloud_cover", &SkyOptions::cloud_cover, 0, 1, "[0, 1]"},
+    {"visibility_m", &SkyOptions::visibility_m, 500, 300e3, "[500, 300e3]"},
+    {"cloud_seed", &SkyOptions::cloud_seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
+    {"moon_azimuth_rad", &SkyOptions::moon_azimuth_rad, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
+     "a finite number"},
+    {"moon_elevation_rad", &SkyOptions::moon_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
+    // end of generated
 };
 
 glm::vec3 direction_at(float azimuth_rad, float elevation_rad) {

@@ -16,29 +16,32 @@ if TYPE_CHECKING:
 class DynamicWavesOptions:
     """The grid of an ocean's dynamic waves: Ocean(sea, dynamic_waves=DynamicWavesOptions())."""
 
+    # generated from schema/dynamic_waves.toml: python-fields
     step: str = "spectral"
-    """"spectral": the exact dispersion of water of depth_m. "verlet": one speed for all waves, for
-    ponds and rings."""
+    """How a tick advances the waves: "spectral" (advances each wave by its own phase: the exact
+    dispersion of deep or shallow water, stable at any length of a tick; wakes have Kelvin's angle),
+    "verlet" (h' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <=
+    0.4: one speed for all waves, for ponds and rings)."""
     resolution: int = 256
     """N, texels along a side; 64, 128, 256, 512 or 1024."""
     side_m: float = 64.0
     """Side of the grid; [1, 10000]."""
     ticks_per_s: int = 60
-    """Steps of the simulation a second; [10, 240]."""
+    """Ticks of the simulation a second; [10, 240]."""
     border_m: float = 12.0
     """Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves
     wrap around."""
-    depth_m: float = 10000.0
-    """Depth of the water ("spectral"); [0.01, 11000]."""
-    viscosity_m2ps: float = 0.002
-    """Eddy viscosity ("spectral"); [0, 1]."""
+    depth_m: float = 1e4
+    """Depth of the water (spectral); [0.01, 11000]."""
+    viscosity_m2ps: float = 2e-3
+    """Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1]."""
     wave_speed_mps: float = 3.0
-    """Speed of all waves ("verlet"); (0, 1000], and (wave_speed_mps / (ticks_per_s texel))^2 is at
-    most 0.4."""
+    """Speed of all waves, with (speed / (ticks_per_s texel))^2 at most 0.4 (verlet); (0, 1000]."""
     decay_per_s: float = 0.01
     """Decay rate of amplitudes; [0, 10]."""
     foam_height_m: float = 0.2
-    """Foam begins above this height and is full at twice this height; [0.001, 100]."""
+    """Foam begins above this height and is full at twice it; [0.001, 100]."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_dynamic_waves_options(self)
@@ -48,31 +51,39 @@ class DynamicWavesOptions:
 class Disturbance:
     """A disturbance of the water: an impulse, or a source that acts in every tick."""
 
+    # generated from schema/disturbance.toml: python-fields
     shape: str = "gauss"
-    """"gauss": height_m exp(-(r / radius_m)^2). "hull": half an ellipsoid of half length length_m
-    and half beam radius_m."""
+    """Shape: "gauss" (height_m exp(-(r / radius_m)^2), cut off at 3 radii), "hull" (height_m sqrt(1
+    - (along / length_m)^2 - (across / radius_m)^2) within that ellipse; height_m of a floating hull
+    is below 0)."""
     mode: str = "pressure"
-    """"pressure": the weight of the shape's volume of water; adds no water. "relaxation": the water
-    approaches the shape at rate_per_s. "impulse": the shape is added at once. "foam": adds the foam
-    of waves as high as the shape, and no waves."""
+    """What the shape does to the water: "pressure" (a pressure, or suction, equal to the weight of
+    the shape's water: at rest the surface becomes the shape and stays so, and a moving one leaves
+    the waves of a moving pressure (Havelock 1908). The volume of the water is constant),
+    "relaxation" (the surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick)
+    of the difference, times the shape over its height. The bulge is bounded, and its volume is
+    added to the water), "impulse" (the shape is added to the surface at once: a drop, a stone),
+    "foam" (adds the foam that waves as high as the shape have, and no waves: water that a hull or a
+    propeller breaks)."""
     x_m: float = 0.0
-    """Position in the world; [-1e8, 1e8]."""
+    """Initial position in the world; [-1e8, 1e8]."""
     z_m: float = 0.0
-    """Position in the world; [-1e8, 1e8]."""
+    """Initial position in the world; [-1e8, 1e8]."""
     radius_m: float = 1.0
-    """Radius; for a hull half its beam; [0.001, 1000]."""
+    """Radius, of a hull half its beam; [0.001, 1000]."""
     length_m: float = 1.0
     """Half the length of a hull; [0.001, 1000]."""
     heading_rad: float = 0.0
     """Direction of a hull's length, from +x towards +z; [-2 pi, 2 pi]."""
     height_m: float = 0.0
-    """Height of the shape, negative for floating bodies; [-100, 100]."""
+    """Height of the shape, below 0 for a floating hull; [-100, 100]."""
     rate_per_s: float = 10.0
     """Rate of a relaxation; (0, 1000]."""
     velocity_x_mps: float = 0.0
-    """Velocity of a source; [-1000, 1000]."""
+    """Velocity of a source until it is replaced; [-1000, 1000]."""
     velocity_z_mps: float = 0.0
-    """Velocity of a source; [-1000, 1000]."""
+    """Velocity of a source until it is replaced; [-1000, 1000]."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_disturbance(self)
@@ -82,14 +93,18 @@ class Disturbance:
 class Rain:
     """Rain on dynamic waves. set_rain() checks the ranges, which depend on the grid."""
 
+    # generated from schema/rain.toml: python-fields
     drops_per_m2_s: float = 0.0
-    """Mean rate of drops; 0: no rain. At most 16 drops on a texel in a tick."""
+    """Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number.
+    0: no rain."""
     radius_m: float = 0.25
-    """Radius of a crater at the still water level; [0.001, side_m / 16]."""
+    """Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel
+    is a texel wide on the grid, flatter and with equal volume."""
     height_m: float = 0.02
     """Depth of a crater; [-10, 10]."""
     seed: int = 1
-    """Seed of the drops; any 32-bit number."""
+    """Seed of the drops."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_rain(self)
@@ -99,12 +114,14 @@ class Rain:
 class SprayOptions:
     """Spray of breaking crests and emitters: Ocean(sea, spray=SprayOptions())."""
 
+    # generated from schema/spray_options.toml: python-fields
     reach_m: float = 80.0
     """Spray leaves crests within this distance of the centre; [10, 200]."""
     amount: float = 1.0
     """Factor on the number of droplets of crests; [0, 10]."""
     seed: int = 1
-    """Seed of the droplets; any 32-bit number."""
+    """Seed of the droplets."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_spray_options(self)
@@ -114,6 +131,7 @@ class SprayOptions:
 class SprayEmitter:
     """Droplets that leave a ball at once, for instance at the bow of a ship; in the world."""
 
+    # generated from schema/spray_emitter.toml: python-fields
     time_s: float = 0.0
     """Time at which they leave; [-1e9, 1e9]."""
     x_m: float = 0.0
@@ -138,6 +156,7 @@ class SprayEmitter:
     """Diameter of drops, which sets the drag; [0.1, 5]."""
     count: int = 1
     """Number of droplets; [0, 8192]."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_spray_emitter(self)
@@ -151,19 +170,24 @@ class ShoreOptions:
     heights_m: ArrayLike
     """Heights of the floor above still water, (rows, columns), 2 to 4096 each, in [-11000, 9000].
     Element [j, i] is at x = corner_x_m + i metres_per_sample, z = corner_z_m + j metres_per_sample."""
+    # generated from schema/shore.toml: python-fields
     corner_x_m: float = 0.0
-    """Position of element [0, 0]; [-1e8, 1e8]."""
+    """Position of the first sample; [-1e8, 1e8]."""
     corner_z_m: float = 0.0
-    """Position of element [0, 0]; [-1e8, 1e8]."""
+    """Position of the first sample; [-1e8, 1e8]."""
     metres_per_sample: float = 1.0
-    """Distance between elements; [0.001, 10000]."""
+    """Distance of neighbouring samples; [0.001, 10000]."""
     resolution: int = 256
     """Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024."""
     fade_m: float = 0.0
-    """Width of the transition to the open sea along the field's edges;
-    [0, half the field's shorter side]. 0: an eighth of that side."""
+    """Width of the strip along the edges over which the coarsest cascade fades into waves over the
+    floor; [0, half the field's shorter side]. 0: an eighth of the shorter side."""
     swash_m: float = -1.0
-    """Maximum height of swash on dry sand; [0, 10], or -1: derived from the sea and the slope."""
+    """Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. -1:
+    the height that 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant wave
+    height and peak period and the median slope at the waterline. Waves in the water do not depend
+    on it."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_shore_options(self)
@@ -173,14 +197,17 @@ class ShoreOptions:
 class AnalyticWave:
     """A wave in deep water: height = amplitude_m cos(k.x - w t + phase_rad), w^2 = g k."""
 
+    # generated from schema/analytic_wave.toml: python-fields
     amplitude_m: float = 0.0
-    """[0, 100]; the sum of 2 pi amplitude_m / wavelength_m over the waves is at most 0.4."""
+    """Amplitude; the sum of 2 pi amplitude_m / wavelength_m over the waves is at most 0.4;
+    [0, 100]."""
     wavelength_m: float = 10.0
-    """[0.01, 1000]."""
+    """Wavelength; [0.01, 1000]."""
     direction_rad: float = 0.0
     """Direction of travel, from +x towards +z; [-2 pi, 2 pi]."""
     phase_rad: float = 0.0
     """Phase at x = z = t = 0, a crest by default; [-2 pi, 2 pi]."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_analytic_wave(self)
@@ -190,18 +217,21 @@ class AnalyticWave:
 class Ripple:
     """Rings around a point, which repeat with the period of their cascade."""
 
+    # generated from schema/ripple.toml: python-fields
     x_m: float = 0.0
     """Centre; [-1e8, 1e8]."""
     z_m: float = 0.0
     """Centre; [-1e8, 1e8]."""
     wavelength_m: float = 1.0
-    """[0.01, 1000]."""
+    """Wavelength; [0.01, 1000]."""
     amplitude_m: float = 0.0
-    """[0, 100], and at most wavelength_m / (2 pi)."""
+    """Amplitude at the centre, at most wavelength_m / (2 pi), a slope of 1; [0, 100]."""
     reach_m: float = 0.0
-    """Radius of the rings; [0, 1e5]. 0, or more than half the cascade's side: half the side."""
+    """Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
+    half of that side."""
     phase_rad: float = 0.0
-    """Phase at the centre at t = 0, a crest by default; [-2 pi, 2 pi]."""
+    """Phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi]."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_ripple(self)

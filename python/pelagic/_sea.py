@@ -43,68 +43,77 @@ class Sea:
     returns a sea with other values.
     """
 
+    # generated from schema/sea.toml: python-fields
     waves: str = "spectrum"
-    """Wave model: "spectrum" of a wind sea, "analytic" with up to 64 waves, or "pond", octaves of
-    procedural waves."""
+    """Wave model: "spectrum", "analytic", "pond". Only a spectrum uses spectrum, spreading,
+    fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed. Only the other models
+    use wave_count and the options after it. All models use the wind, whose direction is that of
+    their waves. A pond has one cascade."""
     spectrum: str = "jonswap"
-    """"jonswap", "pierson-moskowitz", "phillips" or "phillips-paper"."""
+    """Wave spectrum: "phillips-paper", "phillips", "pierson-moskowitz", "jonswap"."""
     spreading: str = "paper"
-    """Directional spreading: "paper", "cosine-2s", "hasselmann" or "donelan-banner"; phillips-paper
-    requires "paper"."""
+    """Directional spreading: "paper", "cosine-2s", "hasselmann", "donelan-banner". The spectrum
+    phillips-paper accepts only paper."""
     cascades: int = 0
-    """Number of cascades, each with a band of the waves, 1 to 4. 0: four, or one if patch_size_m is
-    given or the wave model supports only one."""
+    """Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m
+    is set, the resolution is 16 or the model has only one. More than one excludes patch_size_m."""
     resolution: int = 0
-    """N, texels along a side of each cascade; a power of two, 16 to 2048. 0: 128, or 256 if
-    patch_size_m is given."""
+    """N, texels along a side of each cascade; a power of two from 16 to 2048. 0: 128, or 256 if
+    patch_size_m is set."""
     patch_size_m: float = 0.0
-    """Side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides computed from
-    the sea."""
+    """L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived
+    from the sea."""
     wind_speed_mps: float = 12.0
-    """U10, mean wind 10 m above the sea; (0, 60]."""
+    """U10, mean wind speed 10 m above the sea; (0, 60]."""
     wind_direction_rad: float = 0.0
     """Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi]."""
     fetch_m: float = 100e3
-    """Distance that the wind has blown over water (jonswap); (0, 2e6]. More than 17,000 U10^2 / g
-    adds nothing."""
+    """Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
+    an effect; (0, 2e6]."""
     depth_m: float = 4000.0
-    """Depth of the water: waves affected by it are slower and lower; [0.01, 11000]."""
+    """Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6
+    of it break."""
     choppiness: float = 0.8
-    """0 gives a height field; [0, 1]."""
+    """Scale of horizontal displacements; [0, 1]. 0 gives a height field."""
     roughness: float = -1.0
-    """Subgrid roughness, for the smoothness channel; [0, 1], or -1: from the wind and the
-    unresolved waves."""
+    """GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
+    that the cascades do not resolve in this wind."""
     short_wave_cutoff: float = 0.0
-    """0 keeps short waves, 1 removes waves below a quarter of the peak wavelength; [0, 1]."""
+    """0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength;
+    [0, 1]."""
     wind_alignment: float = 0.5
-    """Wind alignment of the spreading "paper": with 0 a third of the energy travels against the
-    wind, with 1 a hundredth; [0, 1]."""
+    """Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1].
+    With 0 a third of the energy runs against the wind and little across it; with 1 a hundredth runs
+    against it."""
     swell_height_m: float = 0.0
-    """Hs of the swell, in addition to the wind sea; 0: no swell; [0, 30]."""
+    """Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no
+    swell."""
     swell_period_s: float = 12.0
-    """Peak period of the swell's spectrum; [1, 40]."""
+    """Peak period of the swell; [1, 40]."""
     swell_direction_rad: float = 0.0
-    """Direction that the swell travels towards, like wind_direction_rad; [-2 pi, 2 pi]."""
+    """Direction that the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi]."""
     swell_spread_rad: float = 0.26179938779914943
-    """Standard deviation of the swell's directions; 1 to 80 degrees, 15 by default."""
+    """Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default."""
     loop_period_s: float = 200.0
-    """The sea repeats exactly after this time; [0.1, 86400]."""
+    """T, the period after which the sea repeats exactly; [0.1, 86400]."""
     seed: int = 1
-    """Seed of the random phases and amplitudes; any 32-bit number."""
+    """Seed of the random phases and amplitudes."""
     wave_count: int = 0
-    """Number of waves of an analytic sea, or octaves of a pond; 1 to 64. 0: 16 or 24."""
+    """Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond
+    octaves."""
     longest_wave_m: float = 0.0
-    """Longest wavelength of an analytic sea or a pond; [0.02, 1000]. 0: 120, for a pond 1.2."""
+    """Longest wavelength of an analytic sea or a pond; [0.02, 1000]. 0: 120, of a pond 1.2."""
     shortest_wave_m: float = 0.0
-    """Shortest wavelength, at most the longest; [0.01, 1000]. 0: a sixtieth of the longest, for a
-    pond a 45th."""
+    """Shortest wavelength, at most the longest; [0.01, 1000]. 0: the longest / 60, of a pond /
+    45."""
     wave_strength: float = 1.0
-    """Strength of an analytic sea: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2]."""
+    """Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2]."""
     wave_height_m: float = -1.0
-    """Hs of an analytic sea or a pond; [0, 30], of a pond above 0. -1: from wave_strength, for a
-    pond 0.017 of its longest wave."""
+    """Significant wave height of an analytic sea or a pond; [0, 30]. -1: from wave_strength, of a
+    pond 0.017 longest_wave_m. Of a pond it is above 0."""
     wave_drag: float = 0.38
-    """Fraction by which a pond's long waves move its short waves; 0: not at all; [0, 1]."""
+    """Horizontal drag of a pond's short waves by its long ones; [0, 1]."""
+    # end of generated
 
     def __post_init__(self) -> None:
         _pelagic.check_sea(self)

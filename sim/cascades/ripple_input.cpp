@@ -17,13 +17,15 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array ripple_field_table = {
-    NumericField<Ripple>{"x_m", &Ripple::x_m, -1e8, 1e8, "[-1e8, 1e8]"},
-    NumericField<Ripple>{"z_m", &Ripple::z_m, -1e8, 1e8, "[-1e8, 1e8]"},
-    NumericField<Ripple>{"wavelength_m", &Ripple::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
-    NumericField<Ripple>{"amplitude_m", &Ripple::amplitude_m, 0, 100, "[0, 100]"},
-    NumericField<Ripple>{"reach_m", &Ripple::reach_m, 0, 1e5, "[0, 1e5]"},
-    NumericField<Ripple>{"phase_rad", &Ripple::phase_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+constexpr NumericField<Ripple> ripple_field_table[] = {
+    // generated from schema/ripple.toml: table
+    {"x_m", &Ripple::x_m, -1e8, 1e8, "[-1e8, 1e8]"},
+    {"z_m", &Ripple::z_m, -1e8, 1e8, "[-1e8, 1e8]"},
+    {"wavelength_m", &Ripple::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
+    {"amplitude_m", &Ripple::amplitude_m, 0, 100, "[0, 100]"},
+    {"reach_m", &Ripple::reach_m, 0, 1e5, "[0, 1e5]"},
+    {"phase_rad", &Ripple::phase_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    // end of generated
 };
 
 }  // namespace

@@ -11,16 +11,18 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array disturbance_field_table = {
-    NumericField<Disturbance>{"x_m", &Disturbance::x_m, -1e8, 1e8, "[-1e8, 1e8]"},
-    NumericField<Disturbance>{"z_m", &Disturbance::z_m, -1e8, 1e8, "[-1e8, 1e8]"},
-    NumericField<Disturbance>{"radius_m", &Disturbance::radius_m, 0.001, 1000, "[0.001, 1000]"},
-    NumericField<Disturbance>{"length_m", &Disturbance::length_m, 0.001, 1000, "[0.001, 1000]"},
-    NumericField<Disturbance>{"heading_rad", &Disturbance::heading_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
-    NumericField<Disturbance>{"height_m", &Disturbance::height_m, -100, 100, "[-100, 100]"},
-    NumericField<Disturbance>{"rate_per_s", &Disturbance::rate_per_s, 0, 1000, "(0, 1000]", Restriction::above_min},
-    NumericField<Disturbance>{"velocity_x_mps", &Disturbance::velocity_x_mps, -1000, 1000, "[-1000, 1000]"},
-    NumericField<Disturbance>{"velocity_z_mps", &Disturbance::velocity_z_mps, -1000, 1000, "[-1000, 1000]"},
+constexpr NumericField<Disturbance> disturbance_field_table[] = {
+    // generated from schema/disturbance.toml: table
+    {"x_m", &Disturbance::x_m, -1e8, 1e8, "[-1e8, 1e8]"},
+    {"z_m", &Disturbance::z_m, -1e8, 1e8, "[-1e8, 1e8]"},
+    {"radius_m", &Disturbance::radius_m, 0.001, 1000, "[0.001, 1000]"},
+    {"length_m", &Disturbance::length_m, 0.001, 1000, "[0.001, 1000]"},
+    {"heading_rad", &Disturbance::heading_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    {"height_m", &Disturbance::height_m, -100, 100, "[-100, 100]"},
+    {"rate_per_s", &Disturbance::rate_per_s, 0, 1000, "(0, 1000]", Restriction::above_min},
+    {"velocity_x_mps", &Disturbance::velocity_x_mps, -1000, 1000, "[-1000, 1000]"},
+    {"velocity_z_mps", &Disturbance::velocity_z_mps, -1000, 1000, "[-1000, 1000]"},
+    // end of generated
 };
 
 }  // namespace

@@ -14,20 +14,20 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array dynamic_waves_field_table = {
-    NumericField<DynamicWavesOptions>{"resolution", &DynamicWavesOptions::resolution, 64, 1024,
-                                      "64, 128, 256, 512 or 1024", Restriction::powers_of_two},
-    NumericField<DynamicWavesOptions>{"side_m", &DynamicWavesOptions::side_m, 1, 10000, "[1, 10000]"},
-    NumericField<DynamicWavesOptions>{"ticks_per_s", &DynamicWavesOptions::ticks_per_s, 10, 240, "[10, 240]"},
-    NumericField<DynamicWavesOptions>{"border_m", &DynamicWavesOptions::border_m, 0.001, 2500,
-                                      "[0.001, side_m / 4], or 0: none", Restriction::none, 0},
-    NumericField<DynamicWavesOptions>{"depth_m", &DynamicWavesOptions::depth_m, 0.01, 11000, "[0.01, 11000]"},
-    NumericField<DynamicWavesOptions>{"viscosity_m2ps", &DynamicWavesOptions::viscosity_m2ps, 0, 1, "[0, 1]"},
-    NumericField<DynamicWavesOptions>{"wave_speed_mps", &DynamicWavesOptions::wave_speed_mps, 0, 1000, "(0, 1000]",
-                                      Restriction::above_min},
-    NumericField<DynamicWavesOptions>{"decay_per_s", &DynamicWavesOptions::decay_per_s, 0, 10, "[0, 10]"},
-    NumericField<DynamicWavesOptions>{"foam_height_m", &DynamicWavesOptions::foam_height_m, 0.001, 100,
-                                      "[0.001, 100]"},
+constexpr NumericField<DynamicWavesOptions> dynamic_waves_field_table[] = {
+    // generated from schema/dynamic_waves.toml: table
+    {"resolution", &DynamicWavesOptions::resolution, 64, 1024,
+     "64, 128, 256, 512 or 1024", Restriction::powers_of_two},
+    {"side_m", &DynamicWavesOptions::side_m, 1, 10000, "[1, 10000]"},
+    {"ticks_per_s", &DynamicWavesOptions::ticks_per_s, 10, 240, "[10, 240]"},
+    {"border_m", &DynamicWavesOptions::border_m, 0.001, 2500,
+     "[0.001, side_m / 4], or 0: none", Restriction::none, 0},
+    {"depth_m", &DynamicWavesOptions::depth_m, 0.01, 11000, "[0.01, 11000]"},
+    {"viscosity_m2ps", &DynamicWavesOptions::viscosity_m2ps, 0, 1, "[0, 1]"},
+    {"wave_speed_mps", &DynamicWavesOptions::wave_speed_mps, 0, 1000, "(0, 1000]", Restriction::above_min},
+    {"decay_per_s", &DynamicWavesOptions::decay_per_s, 0, 10, "[0, 10]"},
+    {"foam_height_m", &DynamicWavesOptions::foam_height_m, 0.001, 100, "[0.001, 100]"},
+    // end of generated
 };
 
 /// Samples at the texels of a view, with slopes from neighbouring texels.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
@@ -28,11 +28,16 @@ constexpr double max_at_a_texel = 16;
 /// is below the resolution of a random number of 53 bits.
 constexpr int max_in_a_cell = 100;
 
-constexpr std::array rain_field_table = {
-    NumericField<Rain>{"drops_per_m2_s", &Rain::drops_per_m2_s, -DBL_MAX, DBL_MAX, "a finite number"},
-    NumericField<Rain>{"radius_m", &Rain::radius_m, -DBL_MAX, DBL_MAX, "a finite number"},
-    NumericField<Rain>{"height_m", &Rain::height_m, -DBL_MAX, DBL_MAX, "a finite number"},
-    NumericField<Rain>{"seed", &Rain::seed, 0, UINT32_MAX, "a whole number from 0 to 4294967295"},
+constexpr NumericField<Rain> rain_field_table[] = {
+    // generated from schema/rain.toml: table
+    {"drops_per_m2_s", &Rain::drops_per_m2_s, -std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+     "a finite number"},
+    {"radius_m", &Rain::radius_m, -std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+     "a finite number"},
+    {"height_m", &Rain::height_m, -std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+     "a finite number"},
+    {"seed", &Rain::seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
+    // end of generated
 };
 
 double texel_of(const DynamicWavesOptions& water) { return water.side_m / water.resolution; }

@@ -7,10 +7,12 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array water_frame_field_table = {
-    NumericField<WaterFrame>{"sea_level_m", &WaterFrame::sea_level_m, -1000, 1000, "[-1000, 1000]"},
-    NumericField<WaterFrame>{"current_x_mps", &WaterFrame::current_x_mps, -10, 10, "[-10, 10]"},
-    NumericField<WaterFrame>{"current_z_mps", &WaterFrame::current_z_mps, -10, 10, "[-10, 10]"},
+constexpr NumericField<WaterFrame> water_frame_field_table[] = {
+    // generated from schema/water_frame.toml: table
+    {"sea_level_m", &WaterFrame::sea_level_m, -1000, 1000, "[-1000, 1000]"},
+    {"current_x_mps", &WaterFrame::current_x_mps, -10, 10, "[-10, 10]"},
+    {"current_z_mps", &WaterFrame::current_z_mps, -10, 10, "[-10, 10]"},
+    // end of generated
 };
 
 }  // namespace

@@ -24,17 +24,17 @@ constexpr double lowest_ground_m = -11000, highest_ground_m = 9000;
 /// Wavelength in texels at which 97 % of the height remains in the middle between four texels.
 constexpr double shore_texels_per_wave = 8;
 
-constexpr std::array shore_field_table = {
-    NumericField<ShoreOptions>{"columns", &ShoreOptions::columns, 2, ShoreOptions::max_samples_per_side, "2 to 4096"},
-    NumericField<ShoreOptions>{"rows", &ShoreOptions::rows, 2, ShoreOptions::max_samples_per_side, "2 to 4096"},
-    NumericField<ShoreOptions>{"corner_x_m", &ShoreOptions::corner_x_m, -1e8, 1e8, "[-1e8, 1e8]"},
-    NumericField<ShoreOptions>{"corner_z_m", &ShoreOptions::corner_z_m, -1e8, 1e8, "[-1e8, 1e8]"},
-    NumericField<ShoreOptions>{"metres_per_sample", &ShoreOptions::metres_per_sample, 0.001, 10000, "[0.001, 10000]"},
-    NumericField<ShoreOptions>{"resolution", &ShoreOptions::resolution, 64, 1024, "64, 128, 256, 512 or 1024",
-                               Restriction::powers_of_two},
-    NumericField<ShoreOptions>{"fade_m", &ShoreOptions::fade_m, 0, 1e8, "[0, half the field's shorter side]"},
-    NumericField<ShoreOptions>{"swash_m", &ShoreOptions::swash_m, 0, 10, "[0, 10], or -1: derived", Restriction::none,
-                               -1},
+constexpr NumericField<ShoreOptions> shore_field_table[] = {
+    // generated from schema/shore.toml: table
+    {"columns", &ShoreOptions::columns, 2, 4096, "2 to 4096"},
+    {"rows", &ShoreOptions::rows, 2, 4096, "2 to 4096"},
+    {"corner_x_m", &ShoreOptions::corner_x_m, -1e8, 1e8, "[-1e8, 1e8]"},
+    {"corner_z_m", &ShoreOptions::corner_z_m, -1e8, 1e8, "[-1e8, 1e8]"},
+    {"metres_per_sample", &ShoreOptions::metres_per_sample, 0.001, 10000, "[0.001, 10000]"},
+    {"resolution", &ShoreOptions::resolution, 64, 1024, "64, 128, 256, 512 or 1024", Restriction::powers_of_two},
+    {"fade_m", &ShoreOptions::fade_m, 0, 1e8, "[0, half the field's shorter side]"},
+    {"swash_m", &ShoreOptions::swash_m, 0, 10, "[0, 10], or -1: derived", Restriction::none, -1},
+    // end of generated
 };
 
 }  // namespace

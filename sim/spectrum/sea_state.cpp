@@ -1,7 +1,5 @@
 #include "pelagic/sim/sea_state.hpp"
 
-#include <array>
-
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/simd/constants.hpp"
@@ -14,34 +12,33 @@ namespace {
 // a stack.
 constexpr int min_resolution_of_stacks = 32;
 
-constexpr std::array sea_state_field_table = {
-    SeaStateField{"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4, or 0: chosen", Restriction::none, 0},
-    SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048, or 0: chosen",
-                  Restriction::powers_of_two, 0},
-    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6], or 0: chosen",
-                  Restriction::none, 0},
-    SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Restriction::above_min},
-    SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
-    SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Restriction::above_min},
-    SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
-    SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
-    SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Restriction::none, -1},
-    SeaStateField{"short_wave_cutoff", &SeaState::short_wave_cutoff, 0, 1, "[0, 1]"},
-    SeaStateField{"wind_alignment", &SeaState::wind_alignment, 0, 1, "[0, 1]"},
-    SeaStateField{"swell_height_m", &SeaState::swell_height_m, 0, 30, "[0, 30]"},
-    SeaStateField{"swell_period_s", &SeaState::swell_period_s, 1, 40, "[1, 40]"},
-    SeaStateField{"swell_direction_rad", &SeaState::swell_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
-    SeaStateField{"swell_spread_rad", &SeaState::swell_spread_rad, two_pi / 360, 2 * two_pi / 9, "[pi/180, 4 pi/9]"},
-    SeaStateField{"loop_period_s", &SeaState::loop_period_s, 0.1, 86400, "[0.1, 86400]"},
-    SeaStateField{"seed", &SeaState::seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
-    SeaStateField{"wave_count", &SeaState::wave_count, 1, 64, "1 to 64, or 0: chosen", Restriction::none, 0},
-    SeaStateField{"longest_wave_m", &SeaState::longest_wave_m, 0.02, 1000, "[0.02, 1000], or 0: chosen",
-                  Restriction::none, 0},
-    SeaStateField{"shortest_wave_m", &SeaState::shortest_wave_m, 0.01, 1000, "[0.01, 1000], or 0: chosen",
-                  Restriction::none, 0},
-    SeaStateField{"wave_strength", &SeaState::wave_strength, 0, 2, "[0, 2]"},
-    SeaStateField{"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], or -1: chosen", Restriction::none, -1},
-    SeaStateField{"wave_drag", &SeaState::wave_drag, 0, 1, "[0, 1]"},
+constexpr SeaStateField sea_state_field_table[] = {
+    // generated from schema/sea.toml: table
+    {"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4, or 0: chosen", Restriction::none, 0},
+    {"resolution", &SeaState::resolution, 16, 2048,
+     "a power of two from 16 to 2048, or 0: chosen", Restriction::powers_of_two, 0},
+    {"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6], or 0: chosen", Restriction::none, 0},
+    {"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Restriction::above_min},
+    {"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    {"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Restriction::above_min},
+    {"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
+    {"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
+    {"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Restriction::none, -1},
+    {"short_wave_cutoff", &SeaState::short_wave_cutoff, 0, 1, "[0, 1]"},
+    {"wind_alignment", &SeaState::wind_alignment, 0, 1, "[0, 1]"},
+    {"swell_height_m", &SeaState::swell_height_m, 0, 30, "[0, 30]"},
+    {"swell_period_s", &SeaState::swell_period_s, 1, 40, "[1, 40]"},
+    {"swell_direction_rad", &SeaState::swell_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    {"swell_spread_rad", &SeaState::swell_spread_rad, two_pi / 360, 2 * two_pi / 9, "[pi/180, 4 pi/9]"},
+    {"loop_period_s", &SeaState::loop_period_s, 0.1, 86400, "[0.1, 86400]"},
+    {"seed", &SeaState::seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
+    {"wave_count", &SeaState::wave_count, 1, 64, "1 to 64, or 0: chosen", Restriction::none, 0},
+    {"longest_wave_m", &SeaState::longest_wave_m, 0.02, 1000, "[0.02, 1000], or 0: chosen", Restriction::none, 0},
+    {"shortest_wave_m", &SeaState::shortest_wave_m, 0.01, 1000, "[0.01, 1000], or 0: chosen", Restriction::none, 0},
+    {"wave_strength", &SeaState::wave_strength, 0, 2, "[0, 2]"},
+    {"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], or -1: chosen", Restriction::none, -1},
+    {"wave_drag", &SeaState::wave_drag, 0, 1, "[0, 1]"},
+    // end of generated
 };
 
 }  // namespace
@@ -69,11 +66,14 @@ int resolution_of(const SeaState& sea) {
 std::span<const SeaStateField> sea_state_fields() { return sea_state_field_table; }
 
 std::string check(const SeaState& sea) {
-    if (static_cast<std::size_t>(sea.waves) >= names_of<WaveModel>().size()) return "waves is no known model";
+    // generated from schema/sea.toml: enumeration-checks
+    if (static_cast<std::size_t>(sea.waves) >= names_of<WaveModel>().size())
+        return "waves is no known model";
     if (static_cast<std::size_t>(sea.spectrum) >= names_of<SpectrumModel>().size())
         return "spectrum is no known model";
     if (static_cast<std::size_t>(sea.spreading) >= names_of<SpreadingModel>().size())
         return "spreading is no known model";
+    // end of generated
     if (const std::string reason = check_fields(sea, sea_state_field_table); !reason.empty()) return reason;
     const bool is_papers = is_phillips_paper(sea);
     if (sea.cascades > 1) {

@@ -18,45 +18,77 @@
 namespace pelagic::tools {
 namespace {
 
-/// A numeric flag and its field of SeaState.
+/// Seas on which an option has an effect.
+enum class Needs { nothing, spectrum, jonswap, paper_spreading, swell, no_spectrum, analytic, pond, no_pond };
+
+/// A flag and its field of SeaState.
 struct SeaFlag {
     std::string_view flag;
     std::string_view field;
     std::string_view help;
+    const char* group;
+    Needs needs;
+    std::string_view shown_default;   ///< of a derived value; empty: the field's
+    std::string_view shown_accepted;  ///< empty: by the field
 };
 
-constexpr std::array sea_flags = {
-    SeaFlag{"cascades", "cascades", "bands of wavelengths"},
-    SeaFlag{"resolution", "resolution", "texels along a cascade's side"},
-    SeaFlag{"patch-size", "patch_size_m", "side of a single cascade in metres"},
-    SeaFlag{"wind-speed", "wind_speed_mps", "wind speed at 10 m"},
-    SeaFlag{"wind-direction", "wind_direction_rad", "heading"},
-    SeaFlag{"fetch", "fetch_m", "fetch in metres (jonswap)"},
-    SeaFlag{"depth", "depth_m", "water depth in metres"},
-    SeaFlag{"choppiness", "choppiness", "scale of horizontal displacement"},
-    SeaFlag{"roughness", "roughness", "roughness of unresolved waves"},
-    SeaFlag{"short-wave-cutoff", "short_wave_cutoff", "damping of short waves"},
-    SeaFlag{"wind-alignment", "wind_alignment", "alignment of waves with the wind (--spreading paper)"},
-    SeaFlag{"loop-period", "loop_period_s", "seconds until the sea repeats exactly"},
-    SeaFlag{"seed", "seed", "seed of phases and amplitudes"},
-    SeaFlag{"swell-height", "swell_height_m", "significant wave height in metres; 0: no swell"},
-    SeaFlag{"swell-period", "swell_period_s", "peak period in seconds"},
-    SeaFlag{"swell-direction", "swell_direction_rad", "heading"},
-    SeaFlag{"swell-spread", "swell_spread_rad", "standard deviation of directions"},
-    SeaFlag{"wave-count", "wave_count", "number of waves, or octaves of a pond"},
-    SeaFlag{"longest-wave", "longest_wave_m", "longest wavelength in metres"},
-    SeaFlag{"shortest-wave", "shortest_wave_m", "shortest wavelength in metres"},
-    SeaFlag{"wave-strength", "wave_strength", "0 calm, 1 moderate, 2 intense"},
-    SeaFlag{"wave-height", "wave_height_m", "significant wave height in metres"},
-    SeaFlag{"wave-drag", "wave_drag", "drift of a pond's short waves on long ones"},
+constexpr SeaFlag sea_flags[] = {
+    // generated from schema/sea.toml: flags
+    {"cascades", "cascades", "bands of wavelengths", help_group::sea, Needs::nothing, "4; 1 with --patch-size", ""},
+    {"resolution", "resolution", "texels along a cascade's side",
+     help_group::sea, Needs::nothing, "128; 256 with --patch-size", ""},
+    {"patch-size", "patch_size_m", "side of a single cascade in metres",
+     help_group::sea, Needs::nothing, "several cascades", ""},
+    {"wind-speed", "wind_speed_mps", "wind speed at 10 m", help_group::sea, Needs::nothing, "", ""},
+    {"wind-direction", "wind_direction_rad", "heading", help_group::sea, Needs::nothing, "", ""},
+    {"fetch", "fetch_m", "fetch in metres (jonswap)", help_group::sea, Needs::jonswap, "", ""},
+    {"depth", "depth_m", "water depth in metres", help_group::sea, Needs::nothing, "", ""},
+    {"choppiness", "choppiness", "scale of horizontal displacement", help_group::sea, Needs::no_pond, "", ""},
+    {"roughness", "roughness", "roughness of unresolved waves",
+     help_group::sea, Needs::nothing, "wind", "[0, 1] or wind"},
+    {"short-wave-cutoff", "short_wave_cutoff", "damping of short waves", help_group::sea, Needs::spectrum, "", ""},
+    {"wind-alignment", "wind_alignment", "alignment of waves with the wind (--spreading paper)",
+     help_group::sea, Needs::paper_spreading, "", ""},
+    {"swell-height", "swell_height_m", "significant wave height in metres; 0: no swell",
+     help_group::swell, Needs::spectrum, "", ""},
+    {"swell-period", "swell_period_s", "peak period in seconds", help_group::swell, Needs::swell, "", ""},
+    {"swell-direction", "swell_direction_rad", "heading", help_group::swell, Needs::swell, "", ""},
+    {"swell-spread", "swell_spread_rad", "standard deviation of directions",
+     help_group::swell, Needs::swell, "", "degrees in [1, 80]"},
+    {"loop-period", "loop_period_s", "seconds until the sea repeats exactly",
+     help_group::sea, Needs::nothing, "", ""},
+    {"seed", "seed", "seed of phases and amplitudes", help_group::sea, Needs::spectrum, "", ""},
+    {"wave-count", "wave_count", "number of waves, or octaves of a pond",
+     help_group::analytic, Needs::no_spectrum, "16; pond: 24", ""},
+    {"longest-wave", "longest_wave_m", "longest wavelength in metres",
+     help_group::analytic, Needs::no_spectrum, "120; pond: 1.2", ""},
+    {"shortest-wave", "shortest_wave_m", "shortest wavelength in metres",
+     help_group::analytic, Needs::no_spectrum, "1/60 of the longest; pond: 1/45", ""},
+    {"wave-strength", "wave_strength", "0 calm, 1 moderate, 2 intense",
+     help_group::analytic, Needs::analytic, "", ""},
+    {"wave-height", "wave_height_m", "significant wave height in metres",
+     help_group::analytic, Needs::no_spectrum, "depends on --wave-strength; pond: 0.017 of the longest wave", ""},
+    {"wave-drag", "wave_drag", "drift of a pond's short waves on long ones",
+     help_group::analytic, Needs::pond, "", ""},
+    // end of generated
 };
+
+/// Calls visit(flag, member, help, needs) for each option that is an enumeration. The flag is also the
+/// field's name.
+template <class Visit>
+void for_each_enumeration(const Visit& visit) {
+    // generated from schema/sea.toml: named-flags
+    visit("waves", &SeaState::waves, "wave model", Needs::nothing);
+    visit("spectrum", &SeaState::spectrum, "wave spectrum", Needs::spectrum);
+    visit("spreading", &SeaState::spreading, "directional spreading", Needs::spectrum);
+    // end of generated
+}
 
 const SeaStateField& field_of(const SeaFlag& flag) {
     const auto fields = sea_state_fields();
     return *std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == flag.field; });
 }
 
-bool is_angle(const SeaFlag& flag) { return sea_angle(flag.field) != nullptr; }
 bool is_roughness(const SeaFlag& flag) { return flag.field == "roughness"; }
 bool is_direction(const SeaFlag& flag) { return flag.field.ends_with("_direction_rad"); }
 bool is_speed(const SeaFlag& flag) { return flag.field == "wind_speed_mps"; }
@@ -64,8 +96,7 @@ bool is_duration(const SeaFlag& flag) { return flag.field.ends_with("_s"); }
 
 std::string accepted_by(const SeaFlag& flag) {
     if (is_direction(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
-    if (is_angle(flag)) return "degrees in [1, 80]";
-    if (is_roughness(flag)) return "[0, 1] or wind";
+    if (!flag.shown_accepted.empty()) return std::string(flag.shown_accepted);
     std::string accepted(field_of(flag).accepted);
     // an option or file has no value for "chosen": it leaves the option out
     if (const std::size_t at = accepted.find(", or "); field_of(flag).also) accepted.erase(at);
@@ -98,14 +129,7 @@ std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) 
 }
 
 std::string default_of(const SeaFlag& flag) {
-    if (is_roughness(flag)) return "wind";
-    if (flag.field == "cascades") return number_text(default_cascades) + "; 1 with --patch-size";
-    if (flag.field == "resolution") return "128; 256 with --patch-size";
-    if (flag.field == "patch_size_m") return "several cascades";
-    if (flag.field == "wave_count") return "16; pond: 24";
-    if (flag.field == "longest_wave_m") return "120; pond: 1.2";
-    if (flag.field == "shortest_wave_m") return "1/60 of the longest; pond: 1/45";
-    if (flag.field == "wave_height_m") return "depends on --wave-strength; pond: 0.017 of the longest wave";
+    if (!flag.shown_default.empty()) return std::string(flag.shown_default);
     const SeaAngle* const angle = sea_angle(flag.field);
     return number_text(angle ? ResolvedSea{}.*angle->degrees : field_of(flag).value_in({}));
 }
@@ -134,12 +158,6 @@ std::string accepted_in_help(const SeaFlag& flag) {
     const std::string accepted = accepted_by(flag);
     constexpr std::string_view whole = "a whole number from ";
     return accepted.starts_with(whole) ? accepted.substr(whole.size()) : accepted;
-}
-
-const char* group_of(const SeaFlag& flag) {
-    if (flag.field.starts_with("swell_")) return help_group::swell;
-    const bool is_analytic = flag.field.starts_with("wave_") || flag.field.ends_with("est_wave_m");
-    return is_analytic ? help_group::analytic : help_group::sea;
 }
 
 /// Returns degrees rounded to 1e-6 if they convert to exactly these radians: 30, not
@@ -191,19 +209,17 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
 /// Applies one option other than the preset. \param name  name of the flag
 void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& option,
            bool is_recorded = false) {
-    const auto set = [&]<class Enum>(std::string_view flag, Enum SeaState::*member) {
+    for_each_enumeration([&]<class Enum>(std::string_view flag, Enum SeaState::*member, auto...) {
         if (name == flag) resolved.sea.*member = one_of<Enum>(option, text);
-    };
-    set("waves", &SeaState::waves);
-    set("spectrum", &SeaState::spectrum);
-    set("spreading", &SeaState::spreading);
+    });
     for (const SeaFlag& flag : sea_flags)
         if (flag.flag == name) apply_number(resolved, flag, text, option, is_recorded);
 }
 
 /// Returns the names of the flags that a config file may contain, the preset first.
 std::vector<std::string> configurable_flags() {
-    std::vector<std::string> flags = {"preset", "waves", "spectrum", "spreading"};
+    std::vector<std::string> flags = {"preset"};
+    for_each_enumeration([&](std::string_view flag, auto...) { flags.emplace_back(flag); });
     for (const SeaFlag& flag : sea_flags) flags.emplace_back(flag.flag);
     return flags;
 }
@@ -292,24 +308,37 @@ constexpr std::array angle_fields = {
     SeaAngle{"swell_spread_rad", "swell_spread_deg", &SeaState::swell_spread_rad, &ResolvedSea::swell_spread_deg},
 };
 
+/// Returns the option that a sea lacks, "--spectrum jonswap", or an empty text.
+std::string_view requirement_of(Needs needs, const SeaState& sea) {
+    const bool is_spectrum = sea.waves == WaveModel::spectrum, is_pond = sea.waves == WaveModel::pond;
+    const auto unless = [](bool applies, std::string_view required) { return applies ? "" : required; };
+    switch (needs) {
+        case Needs::nothing: return "";
+        case Needs::no_spectrum: return unless(!is_spectrum, "--waves analytic or pond");
+        case Needs::analytic: return unless(sea.waves == WaveModel::analytic, "--waves analytic");
+        case Needs::pond: return unless(is_pond, "--waves pond");
+        case Needs::no_pond: return unless(!is_pond, "--waves spectrum or analytic");
+        default: break;
+    }
+    if (!is_spectrum) return "--waves spectrum";
+    switch (needs) {
+        case Needs::jonswap: return unless(sea.spectrum == SpectrumModel::jonswap, "--spectrum jonswap");
+        case Needs::paper_spreading: return unless(sea.spreading == SpreadingModel::paper, "--spreading paper");
+        case Needs::swell: return unless(sea.swell_height_m > 0, "--swell-height");
+        default: return "";
+    }
+}
+
 }  // namespace
 
 std::string_view requirement_of(std::string_view field, const SeaState& sea) {
-    const bool is_spectrum = sea.waves == WaveModel::spectrum, is_pond = sea.waves == WaveModel::pond;
-    const auto unless = [](bool applies, std::string_view required) { return applies ? "" : required; };
-    if (field == "wave_drag") return unless(is_pond, "--waves pond");
-    if (field == "wave_strength") return unless(sea.waves == WaveModel::analytic, "--waves analytic");
-    if (field.starts_with("wave_") || field.ends_with("est_wave_m"))
-        return unless(!is_spectrum, "--waves analytic or pond");
-    if (field == "choppiness") return unless(!is_pond, "--waves spectrum or analytic");
-    const bool is_of_wind = field == "spectrum" || field == "spreading" || field == "fetch_m" || field == "seed" ||
-                            field == "short_wave_cutoff" || field == "wind_alignment";
-    if (!is_of_wind && !field.starts_with("swell_")) return "";
-    if (!is_spectrum) return "--waves spectrum";
-    if (field == "fetch_m") return unless(sea.spectrum == SpectrumModel::jonswap, "--spectrum jonswap");
-    if (field == "wind_alignment") return unless(sea.spreading == SpreadingModel::paper, "--spreading paper");
-    if (is_of_wind || field == "swell_height_m") return "";
-    return unless(sea.swell_height_m > 0, "--swell-height");
+    Needs needs = Needs::nothing;
+    for (const SeaFlag& flag : sea_flags)
+        if (flag.field == field) needs = flag.needs;
+    for_each_enumeration([&](std::string_view name, auto, auto, Needs of_name) {
+        if (name == field) needs = of_name;
+    });
+    return requirement_of(needs, sea);
 }
 
 std::string warning_about_weather(const ResolvedSea& sea) {
@@ -326,24 +355,20 @@ void SeaOptions::add_to(CLI::App& app, PresetName preset) {
         const std::string name(flag);
         app.add_option("--" + name + positional, typed_[name], help)->type_name(type)->group(group);
     };
-    const auto add_names = [&]<class Enum>(std::string_view flag, Enum first, const std::string& help) {
-        add(flag, alternatives(names_of<Enum>()), help + " (default: " + std::string(name_of(first)) + ")",
-            help_group::sea);
-    };
-    const SeaState first;
     add("preset", "PRESET", "start from a preset: " + names_of_presets(), help_group::sea,
         preset == PresetName::positional_too ? ",PRESET" : "");
     add("config", "FILE.toml|json", "read sea options from a file; options override it", help_group::sea);
-    add_names("waves", first.waves, "wave model");
-    add_names("spectrum", first.spectrum, "wave spectrum");
-    add_names("spreading", first.spreading, "directional spreading");
+    for_each_enumeration([&]<class Enum>(std::string_view flag, Enum SeaState::*member, const char* help, Needs) {
+        add(flag, alternatives(names_of<Enum>()),
+            std::string(help) + " (default: " + std::string(name_of(SeaState{}.*member)) + ")", help_group::sea);
+    });
     for (const SeaFlag& flag : sea_flags)
         add(flag.flag,
             is_direction(flag) ? "HEADING"
             : is_speed(flag)   ? "SPEED"
                                : "NUMBER",
             std::string(flag.help) + "; " + accepted_in_help(flag) + " (default: " + default_of(flag) + ")",
-            group_of(flag));
+            flag.group);
 }
 
 std::string SeaOptions::description_of_presets() {

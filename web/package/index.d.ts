@@ -9,70 +9,117 @@
 export interface SeaOptions {
   /** Name of a sea whose options are the defaults of the others; presets() has all. */
   preset?: string;
+  // generated from schema/sea.toml: properties
   /**
-   * Wave model: a wind-sea spectrum, at most 64 analytic waves, or pond waves. Default "spectrum".
+   * Wave model. Only a spectrum uses spectrum, spreading, fetchM, depthM, shortWaveCutoff,
+   * windAlignment, the swell and seed. Only the other models use waveCount and the options after
+   * it. All models use the wind, whose direction is that of their waves. A pond has one cascade.
+   * Default "spectrum".
    */
   waves?: 'spectrum' | 'analytic' | 'pond';
-  /** Spectrum of the wind sea. Default "jonswap". */
+  /** Wave spectrum. Default "jonswap". */
   spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap';
-  /** Directional spreading. Default "paper". */
+  /** Directional spreading. The spectrum phillips-paper accepts only paper. Default "paper". */
   spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
   /**
-   * Number of cascades: 1, 2, 3 or 4, or 0: chosen. Default 0, which is 4, or 1 with patchSizeM.
+   * Number of cascades, each a band of wavelengths: 1, 2, 3 or 4, or 0: chosen. More than one
+   * excludes patchSizeM. Default 0: four, or one if patchSizeM is set, the resolution is 16 or
+   * the model has only one.
    */
   cascades?: number;
   /**
    * N, texels along a side of each cascade: a power of two from 16 to 2048, or 0: chosen. Default
-   * 0, which is 128, or 256 with patchSizeM.
+   * 0: 128, or 256 if patchSizeM is set.
    */
   resolution?: number;
-  /** Side of the cascade if `cascades` is 1, metres: [0.001, 1e6], or 0: chosen. Default 0. */
+  /**
+   * L, the side of the only cascade, after which the sea repeats, metres: [0.001, 1e6], or 0:
+   * chosen. Default 0: sides derived from the sea.
+   */
   patchSizeM?: number;
-  /** Mean wind speed 10 m above the sea, metres per second: (0, 60]. Default 12. */
+  /** U10, mean wind speed 10 m above the sea, metres per second: (0, 60]. Default 12. */
   windSpeedMps?: number;
   /**
-   * Direction towards which the wind blows, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0.
+   * Direction that the wind blows towards, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0.
    */
   windDirectionRad?: number;
-  /** Fetch, the length of water over which the wind blows, metres: (0, 2e6]. Default 100000. */
+  /**
+   * Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
+   * an effect, metres: (0, 2e6]. Default 100000.
+   */
   fetchM?: number;
-  /** Depth of the water, metres: [0.01, 11000]. Default 4000. */
+  /**
+   * Depth of the water, which slows and lowers long waves, metres: [0.01, 11000]. Waves higher
+   * than 0.6 of it break. Default 4000.
+   */
   depthM?: number;
-  /** Horizontal displacement that sharpens crests: [0, 1]. Default 0.8. */
+  /** Scale of horizontal displacements: [0, 1]. 0 gives a height field. Default 0.8. */
   choppiness?: number;
-  /** Unresolved (subgrid) roughness: [0, 1], or -1: from the wind. Default -1. */
+  /**
+   * GGX roughness of unresolved waves, for the smoothness channel: [0, 1], or -1: from the wind.
+   * Default -1: from the slopes that the cascades do not resolve in this wind.
+   */
   roughness?: number;
-  /** Damping of short waves: [0, 1]. 1 removes those below a quarter of the peak's. Default 0. */
+  /**
+   * 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength: [0, 1].
+   * Default 0.
+   */
   shortWaveCutoff?: number;
-  /** Wind alignment of the waves with spreading "paper": [0, 1]. Default 0.5. */
+  /**
+   * Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper: [0, 1].
+   * With 0 a third of the energy runs against the wind and little across it; with 1 a hundredth
+   * runs against it. Default 0.5.
+   */
   windAlignment?: number;
-  /** Significant wave height of the swell, metres: [0, 30]. Default 0: no swell. */
+  /**
+   * Significant wave height of a swell, in addition to the waves of the wind, metres: [0, 30]. 0:
+   * no swell. Default 0.
+   */
   swellHeightM?: number;
   /** Peak period of the swell, seconds: [1, 40]. Default 12. */
   swellPeriodS?: number;
-  /** Direction towards which the swell travels, radians: [-2 pi, 2 pi]. Default 0. */
+  /**
+   * Direction that the swell runs towards, as windDirectionRad, radians: [-2 pi, 2 pi]. Default
+   * 0.
+   */
   swellDirectionRad?: number;
   /**
-   * Standard deviation of the swell's directions, radians: [pi/180, 4 pi/9].
-   * Default 0.26179938779914943.
+   * Standard deviation of the swell's directions, radians: [pi/180, 4 pi/9]. 15 degrees by
+   * default. Default 0.2617993877991494.
    */
   swellSpreadRad?: number;
-  /** Period after which the sea repeats exactly, seconds: [0.1, 86400]. Default 200. */
+  /** T, the period after which the sea repeats exactly, seconds: [0.1, 86400]. Default 200. */
   loopPeriodS?: number;
-  /** Selects the random phases: a whole number from 0 to 4294967295. Default 1. */
+  /** Seed of the random phases and amplitudes: a whole number from 0 to 4294967295. Default 1. */
   seed?: number;
-  /** Waves of an analytic sea, octaves of a pond: 1 to 64, or 0: chosen. Default 0. */
+  /**
+   * Number of analytic waves or of pond octaves: 1 to 64, or 0: chosen. Default 0: 16 analytic
+   * waves, 24 pond octaves.
+   */
   waveCount?: number;
-  /** Longest of these waves, metres: [0.02, 1000], or 0: chosen. Default 0. */
+  /**
+   * Longest wavelength of an analytic sea or a pond, metres: [0.02, 1000], or 0: chosen. Default
+   * 0: 120, of a pond 1.2.
+   */
   longestWaveM?: number;
-  /** Shortest of these waves, metres: [0.01, 1000], or 0: chosen. Default 0. */
+  /**
+   * Shortest wavelength, at most the longest, metres: [0.01, 1000], or 0: chosen. Default 0: the
+   * longest / 60, of a pond / 45.
+   */
   shortestWaveM?: number;
-  /** Strength of an analytic sea: [0, 2]. 0 calm, 1 moderate, 2 intense. Default 1. */
+  /**
+   * Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between: [0, 2].
+   * Default 1.
+   */
   waveStrength?: number;
-  /** Significant wave height of an analytic sea or pond, metres: [0, 30], or -1: chosen. Default -1. */
+  /**
+   * Significant wave height of an analytic sea or a pond, metres: [0, 30], or -1: chosen. Of a
+   * pond it is above 0. Default -1: from waveStrength, of a pond 0.017 longestWaveM.
+   */
   waveHeightM?: number;
-  /** Displacement of a pond's short waves by its long ones: [0, 1]. Default 0.38. */
+  /** Horizontal drag of a pond's short waves by its long ones: [0, 1]. Default 0.38. */
   waveDrag?: number;
+  // end of generated
 }
 
 /**
@@ -111,55 +158,69 @@ export interface OceanOptions extends SeaOptions {
 
 /** The grid of dynamic waves: wakes, ripples and splashes. */
 export interface DynamicWavesOptions {
+  // generated from schema/dynamic_waves.toml: properties
   /**
-   * "spectral": the exact dispersion of water of depthM. "verlet": one speed for all waves, for
-   * ponds. Default "spectral".
+   * How a tick advances the waves. "spectral": advances each wave by its own phase: the exact
+   * dispersion of deep or shallow water, stable at any length of a tick; wakes have Kelvin's
+   * angle. "verlet": h' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt /
+   * dx)^2 <= 0.4: one speed for all waves, for ponds and rings. Default "spectral".
    */
   step?: 'spectral' | 'verlet';
   /** N, texels along a side: 64, 128, 256, 512 or 1024. Default 256. */
   resolution?: number;
   /** Side of the grid, metres: [1, 10000]. Default 64. */
   sideM?: number;
-  /** Ticks of the simulation per second: [10, 240]. Default 60. */
+  /** Ticks of the simulation a second, per second: [10, 240]. Default 60. */
   ticksPerS?: number;
   /**
-   * Width of the absorbing border along each side, metres: [0.001, sideM / 4], or 0: none. Default
-   * 12. Without a border waves wrap around.
+   * Width of the absorbing border along each side, metres: [0.001, sideM / 4], or 0: none.
+   * Default 12.
    */
   borderM?: number;
-  /** Depth of the water with "spectral", metres: [0.01, 11000]. Default 10000. */
+  /** Depth of the water (spectral), metres: [0.01, 11000]. Default 10000. */
   depthM?: number;
-  /** Eddy viscosity with "spectral", square metres per second: [0, 1]. Default 0.002. */
+  /**
+   * Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral), square metres per
+   * second: [0, 1]. Default 0.002.
+   */
   viscosityM2ps?: number;
   /**
-   * Speed of all waves with "verlet", metres per second: (0, 1000]. Default 3.
-   * (waveSpeedMps / (ticksPerS texel))^2 is at most 0.4.
+   * Speed of all waves, with (speed / (ticksPerS texel))^2 at most 0.4 (verlet), metres per
+   * second: (0, 1000]. Default 3.
    */
   waveSpeedMps?: number;
   /** Decay rate of amplitudes, per second: [0, 10]. Default 0.01. */
   decayPerS?: number;
   /** Foam begins above this height and is full at twice it, metres: [0.001, 100]. Default 0.2. */
   foamHeightM?: number;
+  // end of generated
 }
 
 /** A disturbance of the water: an impulse, or a source that acts in every tick. */
 export interface Disturbance {
+  // generated from schema/disturbance.toml: properties
   /**
-   * "gauss": heightM exp(-(r / radiusM)^2). "hull": half an ellipsoid with half the length lengthM
-   * and half the beam radiusM. Default "gauss".
+   * Shape. "gauss": heightM exp(-(r / radiusM)^2), cut off at 3 radii. "hull": heightM sqrt(1 -
+   * (along / lengthM)^2 - (across / radiusM)^2) within that ellipse; heightM of a floating hull
+   * is below 0. Default "gauss".
    */
   shape?: 'gauss' | 'hull';
   /**
-   * "pressure": the weight of the shape's water, at constant volume. "relaxation": the surface
-   * approaches the shape at ratePerS. "impulse": the shape is added at once. "foam": adds the foam
-   * of waves as high as the shape, and no waves. Default "pressure".
+   * What the shape does to the water. "pressure": a pressure, or suction, equal to the weight of
+   * the shape's water: at rest the surface becomes the shape and stays so, and a moving one
+   * leaves the waves of a moving pressure (Havelock 1908). The volume of the water is constant.
+   * "relaxation": the surface approaches the shape: a tick removes the fraction 1 - e^(-rate
+   * tick) of the difference, times the shape over its height. The bulge is bounded, and its
+   * volume is added to the water. "impulse": the shape is added to the surface at once: a drop, a
+   * stone. "foam": adds the foam that waves as high as the shape have, and no waves: water that a
+   * hull or a propeller breaks. Default "pressure".
    */
   mode?: 'pressure' | 'relaxation' | 'impulse' | 'foam';
-  /** Initial position, metres: [-1e8, 1e8]. Default 0. */
+  /** Initial position in the world, metres: [-1e8, 1e8]. Default 0. */
   xM?: number;
-  /** Initial position, metres: [-1e8, 1e8]. Default 0. */
+  /** Initial position in the world, metres: [-1e8, 1e8]. Default 0. */
   zM?: number;
-  /** Radius, or half the beam of a hull, metres: [0.001, 1000]. Default 1. */
+  /** Radius, of a hull half its beam, metres: [0.001, 1000]. Default 1. */
   radiusM?: number;
   /** Half the length of a hull, metres: [0.001, 1000]. Default 1. */
   lengthM?: number;
@@ -169,24 +230,28 @@ export interface Disturbance {
   heightM?: number;
   /** Rate of a relaxation, per second: (0, 1000]. Default 10. */
   ratePerS?: number;
-  /** Velocity of a source, metres per second: [-1000, 1000]. Default 0. */
+  /** Velocity of a source until it is replaced, metres per second: [-1000, 1000]. Default 0. */
   velocityXMps?: number;
-  /** Velocity of a source, metres per second: [-1000, 1000]. Default 0. */
+  /** Velocity of a source until it is replaced, metres per second: [-1000, 1000]. Default 0. */
   velocityZMps?: number;
+  // end of generated
 }
 
 /** Spray of breaking crests and emitters. */
 export interface SprayOptions {
+  // generated from schema/spray_options.toml: properties
   /** Spray leaves crests within this distance of the centre, metres: [10, 200]. Default 80. */
   reachM?: number;
   /** Factor on the number of droplets of crests: [0, 10]. Default 1. */
   amount?: number;
-  /** Selects the droplets: a whole number from 0 to 4294967295. Default 1. */
+  /** Seed of the droplets: a whole number from 0 to 4294967295. Default 1. */
   seed?: number;
+  // end of generated
 }
 
 /** Droplets that leave a ball at once, for instance at the bow of a ship; in the world. */
 export interface SprayEmitter {
+  // generated from schema/spray_emitter.toml: properties
   /** Time at which they leave, seconds: [-1e9, 1e9]. Default 0. */
   timeS?: number;
   /** Centre of the ball, metres: [-1e8, 1e8]. Default 0. */
@@ -211,6 +276,7 @@ export interface SprayEmitter {
   dropMm?: number;
   /** Number of droplets: [0, 8192]. Default 1. */
   count?: number;
+  // end of generated
 }
 
 /** The droplets of a frame, in the world; positions and velocities are x, y, z of each. */
@@ -227,83 +293,111 @@ export interface Droplets {
 
 /** A sea level, for instance of a tide, and a uniform current. */
 export interface WaterFrame {
+  // generated from schema/water_frame.toml: properties
   /** Height of still water, metres: [-1000, 1000]. Default 0. */
   seaLevelM?: number;
-  /** Velocity of the water along x, m/s: [-10, 10]. Default 0. */
+  /** Velocity of the water along x, metres per second: [-10, 10]. Default 0. */
   currentXMps?: number;
-  /** Velocity of the water along z, m/s: [-10, 10]. Default 0. */
+  /** Velocity of the water along z, metres per second: [-10, 10]. Default 0. */
   currentZMps?: number;
+  // end of generated
 }
 
 /** Rain on dynamic waves. setRain() checks the ranges, which depend on the grid. */
 export interface Rain {
+  // generated from schema/rain.toml: properties
   /**
-   * Mean drops per square metre and second: a finite number. At most 16 per texel and tick. Default
-   * 0.
+   * Mean number of drops, at most the value that puts 16 on a texel in a tick, per square metre
+   * and second: a finite number. 0: no rain. Default 0.
    */
   dropsPerM2S?: number;
-  /** Radius of a crater, metres: a finite number, [0.001, sideM / 16]. Default 0.25. */
+  /**
+   * Radius of the crater at the rest level, metres: a finite number, [0.001, sideM / 16]. A
+   * crater narrower than a texel is a texel wide on the grid, flatter and with equal volume.
+   * Default 0.25.
+   */
   radiusM?: number;
   /** Depth of a crater, metres: a finite number, [-10, 10]. Default 0.02. */
   heightM?: number;
-  /** Selects the drops: a whole number from 0 to 4294967295. Default 1. */
+  /** Seed of the drops: a whole number from 0 to 4294967295. Default 1. */
   seed?: number;
+  // end of generated
 }
 
 /** A sea floor. Sample (i, j) has the position x = cornerXM + i metresPerSample, z alike. */
 export interface ShoreOptions {
   /** Heights of the floor above the rest level, metres, [-11000, 9000]; element j columns + i. */
   heightsM: ArrayLike<number>;
-  /** Samples along x: 2 to 4096. */
+  // generated from schema/shore.toml: properties
+  /** Samples of the floor along x: 2 to 4096. */
   columns: number;
-  /** Samples along z: 2 to 4096. */
+  /** Samples of the floor along z: 2 to 4096. */
   rows: number;
   /** Position of the first sample, metres: [-1e8, 1e8]. Default 0. */
   cornerXM?: number;
   /** Position of the first sample, metres: [-1e8, 1e8]. Default 0. */
   cornerZM?: number;
-  /** Distance of samples, metres: [0.001, 10000]. Default 1. */
+  /** Distance of neighbouring samples: [0.001, 10000]. Default 1. */
   metresPerSample?: number;
-  /** Texels along the longer side of Frame.shore: 64, 128, 256, 512 or 1024. Default 256. */
+  /**
+   * Texels along the longer side of the shore in frames: 64, 128, 256, 512 or 1024. Default 256.
+   */
   resolution?: number;
   /**
-   * Width of the transition to the open sea along the edges, metres: [0, half the field's shorter
-   * side]. Default 0: an eighth of that side.
+   * Width of the strip along the edges over which the coarsest cascade fades into waves over the
+   * floor, metres: [0, half the field's shorter side]. 0: an eighth of the shorter side. Default
+   * 0.
    */
   fadeM?: number;
-  /** Maximum height that waves reach on dry sand, metres: [0, 10], or -1: derived. Default -1. */
+  /**
+   * Maximum height above still water that waves reach on dry sand, with the set-up, metres:
+   * [0, 10], or -1: derived. Waves in the water do not depend on it. Default -1: the height that
+   * 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant wave height and
+   * peak period and the median slope at the waterline.
+   */
   swashM?: number;
+  // end of generated
 }
 
 /** A wave in deep water: amplitudeM cos(k.x - w t + phaseRad), w^2 = g k. */
 export interface AnalyticWave {
+  // generated from schema/analytic_wave.toml: properties
   /**
-   * Amplitude, metres: [0, 100]. Default 0. The sum of 2 pi amplitudeM / wavelengthM of a list is
-   * at most 0.4.
+   * Amplitude; the sum of 2 pi amplitudeM / wavelengthM over the waves is at most 0.4, metres:
+   * [0, 100]. Default 0.
    */
   amplitudeM?: number;
   /** Wavelength, metres: [0.01, 1000]. Default 10. */
   wavelengthM?: number;
   /** Direction of travel, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0. */
   directionRad?: number;
-  /** Phase at x = z = t = 0, where 0 is a crest, radians: [-2 pi, 2 pi]. Default 0. */
+  /** Phase at x = z = t = 0, a crest by default, radians: [-2 pi, 2 pi]. Default 0. */
   phaseRad?: number;
+  // end of generated
 }
 
 /** Rings around a point, which repeat with the side of the cascade that holds them. */
 export interface Ripple {
+  // generated from schema/ripple.toml: properties
   /** Centre, metres: [-1e8, 1e8]. Default 0. */
   xM?: number;
   /** Centre, metres: [-1e8, 1e8]. Default 0. */
   zM?: number;
   /** Wavelength, metres: [0.01, 1000]. Default 1. */
   wavelengthM?: number;
-  /** Amplitude, metres: [0, 100]. Default 0. At most wavelengthM / (2 pi). */
+  /**
+   * Amplitude at the centre, at most wavelengthM / (2 pi), a slope of 1, metres: [0, 100].
+   * Default 0.
+   */
   amplitudeM?: number;
-  /** Radius of the rings, metres: [0, 1e5]. Default 0: half of the cascade's side, the maximum. */
+  /**
+   * Radius R beyond which the rings are 0, metres: [0, 1e5]. 0 or more than half of the cascade's
+   * side: half of that side. Default 0.
+   */
   reachM?: number;
   /** Phase at the centre at t = 0, where 0 is a crest, radians: [-2 pi, 2 pi]. Default 0. */
   phaseRad?: number;
+  // end of generated
 }
 
 /**

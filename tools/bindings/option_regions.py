@@ -1,0 +1,328 @@
+"""The regions that options.py writes: each takes a Schema and gives lines without their indentation."""
+import re
+import textwrap
+
+from schema import UNITS
+
+CPP_TYPES = {"double": "double", "float": "float", "int": "int", "uint32": "std::uint32_t", "bool": "bool"}
+C_TYPES = {"double": "double", "float": "float", "int": "int32_t", "uint32": "uint32_t", "bool": "int32_t", "enum": "int32_t"}
+COMMENT_WIDTH, CODE_WIDTH = 96, 114
+
+
+def named(text, name_of):
+    """A text with its {names} as a language writes them."""
+    return re.sub(r"\{(\w+)\}", lambda match: name_of(match[1]), text)
+
+
+def camel_case(name):
+    first, *others = name.split("_")
+    return first + "".join(part[0].upper() + part[1:] for part in others)
+
+
+def description(option, also=None, values=""):
+    """The sentences about an option: what it is; its range. What its default stands for, and more."""
+    text = named(option.text, str)
+    text = text[0].upper() + text[1:] + values
+    if option.type not in ("enum", "bool", "uint32"):
+        text += "; " + named(option.in_descriptions(), str)
+    text += "."
+    if option.derived and option.derivation:
+        text += f" {option.also() if also is None else also}: {named(option.derivation, str)}."
+    return text + (" " + named(option.more, str) if option.more else "")
+
+
+def wrapped(text, first, others=None):
+    """Lines of a text, which do not break within a range such as "[0, 1]"."""
+    kept = re.sub(r"[\[(][^\[\]()]*\]", lambda match: match[0].replace(" ", "\0"), text)
+    lines = textwrap.wrap(kept, COMMENT_WIDTH, initial_indent=first, subsequent_indent=first if others is None else others,
+                          break_long_words=False, break_on_hyphens=False)
+    return [line.replace("\0", " ") for line in lines]
+
+
+# ---- C++ ----------------------------------------------------------------------------------------
+
+def cpp_number(option, value):
+    text = str(value)
+    if option.type == "float" and re.search(r"[.e]", text):
+        return text + "f"
+    return {"True": "true", "False": "false"}.get(text, text)
+
+
+def cpp_default(option):
+    if option.enum:
+        return f"{option.enum.name.split('::')[-1]}::{option.default.replace('-', '_')}"
+    return cpp_number(option, option.default)
+
+
+def cpp_type(option):
+    return option.enum.name.split("::")[-1] if option.enum else CPP_TYPES[option.type]
+
+
+def cpp_fields(schema):
+    """The members of a struct."""
+    lines = []
+    for option in schema.options:
+        if option.is_in("C++"):
+            lines += wrapped(description(option), "/// ")
+            lines.append(f"{cpp_type(option)} {option.name} = {cpp_default(option)};")
+    return lines
+
+
+PI_IN_CPP = {"-2 pi": "-two_pi", "2 pi": "two_pi", "pi/180": "two_pi / 360", "4 pi/9": "2 * two_pi / 9",
+             "-pi/2": "-half_pi", "pi/2": "half_pi"}
+RESTRICTIONS = {"a power of two": "Restriction::powers_of_two", "an even number": "Restriction::even"}
+
+
+def cpp_limits(option):
+    if option.type == "uint32":
+        return "0", "4294967295.0"
+    if not option.limits():
+        largest = f"std::numeric_limits<{option.type}>::max()"
+        return "-" + largest, largest
+    low, high, _ = option.limits()
+    return PI_IN_CPP.get(low, low), PI_IN_CPP.get(high, high)
+
+
+def cpp_table(schema):
+    """The rows of a table of NumericField."""
+    lines = []
+    for option in schema.options:
+        if option.type in ("enum", "bool"):
+            continue
+        is_above = option.type != "uint32" and option.limits() and option.limits()[2]
+        restriction = RESTRICTIONS.get(option.must_be, "Restriction::above_min" if is_above else "")
+        first = f'{{"{option.name}", &{schema.struct}::{option.name}, {", ".join(cpp_limits(option))},'
+        rest = f'"{named(option.in_messages(), str)}"'
+        if option.derived:
+            rest += f", {restriction or 'Restriction::none'}, {option.also()}"
+        elif restriction:
+            rest += f", {restriction}"
+        rest += "},"
+        lines += [f"{first} {rest}"] if len(first) + len(rest) < CODE_WIDTH else [first, " " + rest]
+    return lines
+
+
+def cpp_enums(schema):
+    """Enumerations of a namespace and their names."""
+    lines = []
+    for enum in schema.enums:
+        lines += [""] if lines else []
+        lines += wrapped(enum.text, "/// ") if enum.text else []
+        if any(text for _, text in enum.values):
+            lines.append(f"enum class {enum.name} {{")
+            for (_, text), value in zip(enum.values, enum.cpp_values()):
+                lines += ["    " + line for line in wrapped(text[0].upper() + text[1:].rstrip(".") + ".", "/// ")] + [f"    {value},"]
+            lines.append("};")
+        else:
+            lines.append(f"enum class {enum.name} {{ {', '.join(enum.cpp_values())} }};")
+        lines += ["template <>", f"struct EnumNames<{enum.name}> {{"]
+        lines += [f"    static constexpr std::array<std::string_view, {len(enum.values)}> all = {{" +
+                  ", ".join(f'"{name}"' for name, _ in enum.values) + "};", "};"]
+    return lines
+
+
+# ---- the command line ---------------------------------------------------------------------------
+
+def flag_of(option):
+    if option.flag:
+        return option.flag
+    suffix = UNITS[option.unit][0] if option.unit else ""
+    return option.name.removesuffix(suffix).replace("_", "-")
+
+
+def flags(schema):
+    """The rows of a table of numeric flags and keys of files."""
+    lines = []
+    for option in schema.options:
+        if option.enum:
+            continue
+        needs = f"Needs::{option.needs or 'nothing'}"
+        first = f'{{"{flag_of(option)}", "{option.name}", "{option.flag_help or option.text}",'
+        rest = f'help_group::{option.group}, {needs}, "{option.flag_default}", "{option.flag_accepted}"}},'
+        lines += [f"{first} {rest}"] if len(first) + len(rest) < CODE_WIDTH else [first, " " + rest]
+    return lines
+
+
+def named_flags(schema):
+    """Calls of visit for the flags of enumerations."""
+    return [f'visit("{flag_of(option)}", &{schema.struct}::{option.name}, "{option.flag_help or option.text}", Needs::{option.needs or "nothing"});'
+            for option in schema.options if option.enum]
+
+
+def enumeration_checks(schema):
+    """Checks of enumerations in check(), of a parameter `sea`."""
+    lines = []
+    for option in schema.options:
+        if option.enum:
+            lines += [f"if (static_cast<std::size_t>(sea.{option.name}) >= names_of<{option.enum.name}>().size())",
+                      f'    return "{option.name} is no known model";']
+    return lines
+
+
+# ---- C ------------------------------------------------------------------------------------------
+
+def c_comment(text):
+    lines = wrapped(text, "/* ", " * ")
+    lines[-1] += " */"
+    return lines
+
+
+def c_default_of(option):
+    return option.default if option.c_default is None else option.c_default
+
+
+def c_options(schema):
+    """The options of the C struct, those of 4 bytes first, so that the struct has no holes."""
+    options = [option for option in schema.options if option.is_in("C")]
+    return sorted(options, key=lambda option: C_TYPES[option.type] == "double")
+
+
+def c_fields(schema):
+    """The members of a C struct after struct_size."""
+    lines = []
+    for option in c_options(schema):
+        text = description(option, also=c_default_of(option) if option.derived_value is None else None)
+        if option.enum:
+            text = f"{option.enum.c}...; " + text[0].lower() + text[1:]
+        lines += c_comment(text) + [f"{C_TYPES[option.type]} {option.name};"]
+    return lines
+
+
+def c_enums(schema):
+    lines = []
+    for enum in schema.enums:
+        lines += [""] if lines else []
+        if not any(text for _, text in enum.values):
+            values = [f"{name} = {i}" for i, name in enumerate(enum.c_values())]
+            lines += ["enum {"] + [f"    {value}," for value in values[:-1]] + [f"    {values[-1]}", "};"]
+            continue
+        lines.append("enum {")
+        for i, ((_, text), name) in enumerate(zip(enum.values, enum.c_values())):
+            comma = "," if i + 1 < len(enum.values) else ""
+            lines += ["    " + line for line in c_comment(named(text, str))] + [f"    {name} = {i}{comma}"]
+        lines.append("};")
+    return lines
+
+
+def c_make(schema):
+    """The function that returns the defaults."""
+    name = schema.c.removeprefix("pelagic_")
+    lines = [f"static inline {schema.c} {schema.c}_make(void) {{", f"    {schema.c} {name};",
+             f"    memset(&{name}, 0, sizeof {name});", f"    {name}.struct_size = sizeof {name};"]
+    for option in c_options(schema):
+        value = option.enum.c_values()[[v for v, _ in option.enum.values].index(option.default)] if option.enum else c_default_of(option)
+        if str(value) not in ("0", "False"):
+            lines.append(f"    {name}.{option.name} = {value};")
+    return lines + [f"    return {name};", "}"]
+
+
+def c_checks(schema):
+    """Checks that C and C++ number the values of enumerations alike."""
+    return [f"static_assert({c} == static_cast<int>({enum.name}::{cpp}));"
+            for enum in schema.enums for c, cpp in zip(enum.c_values(), enum.cpp_values())]
+
+
+def c_conversions(schema):
+    """The functions between the C struct and the C++ one."""
+    options = [option for option in schema.options if option.is_in("C")]
+    lines = [f"void read_options(const {schema.c}& from, {schema.struct}& to, const std::string& prefix) {{"]
+    for option in options:
+        member = f"from.{option.name}"
+        if option.enum:
+            member = f'enum_of<{option.enum.name}>({member}, prefix + "{option.name}", "{option.enum.c}...")'
+        elif option.c_default is not None:
+            member = f"{member} == {option.c_default} ? {option.default} : {member}"
+        elif option.type == "bool":
+            member += " != 0"
+        lines.append(f"    to.{option.name} = {member};")
+    lines += ["}", "", f"void write_options(const {schema.struct}& from, {schema.c}& to) {{"]
+    for option in options:
+        member = f"from.{option.name}"
+        if option.enum:
+            member = f"static_cast<std::int32_t>({member})"
+        elif option.c_default is not None:
+            member = f"{member} == {option.default} ? {option.c_default} : {member}"
+        lines.append(f"    to.{option.name} = {member};")
+    return lines + ["}"]
+
+
+# ---- Python, TypeScript, Markdown -----------------------------------------------------------------
+
+PYTHON_TYPES = {"double": "float", "float": "float", "int": "int", "uint32": "int", "bool": "bool", "enum": "str"}
+
+
+def python_default(option):
+    if option.enum:
+        return f'"{option.default}"'
+    text = str(option.default)
+    return text if option.type in ("int", "uint32", "bool") or re.search(r"[.e]", text) else text + ".0"
+
+
+def python_fields(schema):
+    """The fields of a dataclass."""
+    lines = []
+    for option in schema.options:
+        if not option.is_in("Python"):
+            continue
+        words = [f'"{name}"' + (f" ({named(about, str).rstrip('.')})" if about else "") for name, about in option.enum.values] if option.enum else []
+        text = description(option, values=": " + ", ".join(words) if words else "")
+        lines.append(f"{option.name}: {PYTHON_TYPES[option.type]} = {python_default(option)}")
+        lines += wrapped('"""' + text + '"""', "")
+    return lines
+
+
+def javascript_number(value):
+    return repr(float(value)).removesuffix(".0") if not isinstance(value, bool) else str(value).lower()
+
+
+def typescript_text(option):
+    """What it is, unit: range. More. Default."""
+    text = named(option.text, camel_case)
+    text = text[0].upper() + text[1:]
+    if option.enum:
+        text += "." + "".join(f' "{name}": {named(about, camel_case).rstrip(".")}.' for name, about in option.enum.values if about)
+    elif option.type == "bool":
+        text += "."
+    else:
+        shown = f", {named(option.shown, camel_case)}" if option.shown else ""
+        text += (f", {UNITS[option.unit][1]}" if option.unit else "") + f": {named(option.in_messages(), camel_case)}{shown}."
+    if option.more:
+        text += " " + named(option.more, camel_case)
+    if option.required:
+        return text
+    default = f'"{option.default}"' if option.enum else javascript_number(option.default)
+    return f"{text} Default {default}" + (f": {named(option.derivation, camel_case)}." if option.derived and option.derived_value is None else ".")
+
+
+def typescript_fields(schema):
+    """The properties of an interface."""
+    lines = []
+    for option in schema.options:
+        if not option.is_in("TypeScript"):
+            continue
+        text = typescript_text(option)
+        comment = f"/** {text} */"
+        lines += [comment] if len(comment) <= COMMENT_WIDTH else ["/**"] + wrapped(text, " * ") + [" */"]
+        words = " | ".join(f"'{name}'" for name, _ in option.enum.values) if option.enum else ""
+        lines.append(f"{camel_case(option.name)}{'' if option.required else '?'}: {words or ('boolean' if option.type == 'bool' else 'number')};")
+    return lines
+
+
+def page_table(schema):
+    """The rows of a page's table: member, range, default, meaning."""
+    lines = []
+    for option in schema.options:
+        if option.enum:
+            values = ", ".join(f"`{name}`" for name, _ in option.enum.values)
+            lines.append(f"| `{option.name}` | {values} | `{option.default}` | {named(option.text, str)} |")
+            continue
+        is_derived = option.derived and option.derived_value is None
+        default = "derived" if is_derived else str(option.default) if len(str(option.default)) < 10 else f"{option.default:.4g}"
+        meaning = named(option.text, str) + (f"; {option.also()}: {named(option.derivation, str)}" if option.derivation else "")
+        lines.append(f"| `{option.name}` | {named(option.in_descriptions(), str)} | {default} | {meaning} |")
+    return lines
+
+
+RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "enumeration-checks": enumeration_checks, "c-members": c_fields,
+             "c-enumerations": c_enums, "c-make": c_make, "c-checks": c_checks, "c-conversions": c_conversions,
+             "python-fields": python_fields, "properties": typescript_fields, "rows": page_table}
