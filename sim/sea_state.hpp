@@ -21,7 +21,16 @@ struct EnumNames<WaveModel> {
     static constexpr std::array<std::string_view, 3> all = {"spectrum", "analytic", "pond"};
 };
 
-enum class SpectrumModel { phillips_paper, phillips, pierson_moskowitz, jonswap };
+enum class SpectrumModel {
+    /// Scaled as in VR Ocean; one cascade, no swell.
+    phillips_paper,
+    /// Phillips' shape with a physical height.
+    phillips,
+    /// A fully developed sea; no fetch.
+    pierson_moskowitz,
+    /// A sea that grows with the fetch.
+    jonswap,
+};
 template <>
 struct EnumNames<SpectrumModel> {
     static constexpr std::array<std::string_view, 4> all = {"phillips-paper", "phillips", "pierson-moskowitz", "jonswap"};
@@ -29,7 +38,16 @@ struct EnumNames<SpectrumModel> {
 
 /// Directional spreading around the wind. The measured models, hasselmann and donelan-banner,
 /// depend on frequency and on the ratio of the wind speed to the peak's phase speed.
-enum class SpreadingModel { paper, cosine_2s, hasselmann, donelan_banner };
+enum class SpreadingModel {
+    /// VR Ocean, by wind_alignment.
+    paper,
+    /// Measured, Longuet-Higgins et al. 1963.
+    cosine_2s,
+    /// Measured, Hasselmann et al. 1980.
+    hasselmann,
+    /// Measured, Donelan et al. 1985 and Banner 1990.
+    donelan_banner,
+};
 template <>
 struct EnumNames<SpreadingModel> {
     static constexpr std::array<std::string_view, 4> all = {"paper", "cosine-2s", "hasselmann", "donelan-banner"};

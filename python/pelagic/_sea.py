@@ -50,10 +50,14 @@ class Sea:
     use wave_count and the options after it. All models use the wind, whose direction is that of
     their waves. A pond has one cascade."""
     spectrum: str = "jonswap"
-    """Wave spectrum: "phillips-paper", "phillips", "pierson-moskowitz", "jonswap"."""
+    """Wave spectrum: "phillips-paper" (scaled as in VR Ocean; one cascade, no swell), "phillips"
+    (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
+    "jonswap" (a sea that grows with the fetch)."""
     spreading: str = "paper"
-    """Directional spreading: "paper", "cosine-2s", "hasselmann", "donelan-banner". The spectrum
-    phillips-paper accepts only paper."""
+    """Directional spreading: "paper" (VR Ocean, by wind_alignment), "cosine-2s" (measured,
+    Longuet-Higgins et al. 1963), "hasselmann" (measured, Hasselmann et al. 1980), "donelan-banner"
+    (measured, Donelan et al. 1985 and Banner 1990). The spectrum phillips-paper accepts only
+    paper."""
     cascades: int = 0
     """Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m
     is set, the resolution is 16 or the model has only one. More than one excludes patch_size_m."""

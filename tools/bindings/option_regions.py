@@ -2,7 +2,7 @@
 import re
 import textwrap
 
-from schema import UNITS
+from schema import UNITS, number_of
 
 CPP_TYPES = {"double": "double", "float": "float", "int": "int", "uint32": "std::uint32_t", "bool": "bool"}
 C_TYPES = {"double": "double", "float": "float", "int": "int32_t", "uint32": "uint32_t", "bool": "int32_t", "enum": "int32_t"}
@@ -111,7 +111,7 @@ def cpp_enums(schema):
         if any(text for _, text in enum.values):
             lines.append(f"enum class {enum.name} {{")
             for (_, text), value in zip(enum.values, enum.cpp_values()):
-                lines += ["    " + line for line in wrapped(text[0].upper() + text[1:].rstrip(".") + ".", "/// ")] + [f"    {value},"]
+                lines += ["    " + line for line in wrapped(named(text[0].upper() + text[1:].rstrip("."), str) + ".", "/// ")] + [f"    {value},"]
             lines.append("};")
         else:
             lines.append(f"enum class {enum.name} {{ {', '.join(enum.cpp_values())} }};")
@@ -308,9 +308,70 @@ def typescript_fields(schema):
     return lines
 
 
-def page_table(schema):
-    """The rows of a page's table: member, range, default, meaning."""
+def word_options(schema):
+    """Elements of a list of options whose values are words."""
+    return [f'word_option<{option.enum.name}, &{schema.struct}::{option.name}>("{camel_case(option.name)}"),'
+            for option in schema.options if option.enum]
+
+
+# ---- Blender --------------------------------------------------------------------------------------
+
+BLENDER_UNITS = {"m": ', subtype="DISTANCE"', "rad": ', subtype="ANGLE"', "m/s": ', unit="VELOCITY"', "s": ', unit="TIME_ABSOLUTE"'}
+
+
+def blender_name(option):
+    return option.blender.get("name", option.name.removesuffix(UNITS[option.unit][0]) if option.unit else option.name)
+
+
+def blender_property(option, label_of):
+    """The class of a property and its arguments."""
+    if option.enum:
+        items = [f'    ("{name}", "{name}", "{named(text[:1].upper() + text[1:], label_of)}", {i}),' for i, (name, text) in enumerate(option.enum.values)]
+        return "EnumProperty", [f'default="{option.default}", items=(', *items[:-1], items[-1].rstrip(",") + "),"]
+    low, high = (number_of(limit) for limit in option.limits()[:2]) if option.type != "uint32" else (0, 0)
+    low = min(low, 0) if option.derived else option.blender.get("min", low)
+    if option.must_be == "a power of two":
+        powers = [2 ** k for k in range(int(number_of(option.limits()[0])).bit_length() - 1, int(high).bit_length())]
+        return "EnumProperty", [f'default="{option.default}",',
+                                f'items=[("0", "Automatic", "{named(option.derivation, label_of)}", 0)] + [(str(n), str(n), "", n) for n in {tuple(powers)}],']
+    default = f"{float(c_default_of(option)):.10g}"
+    if option.type in ("int", "uint32"):
+        return "IntProperty", [f"default={default}, min={int(low)}" + (f", max={int(high)}" if high else "") + ","]
+    unit = BLENDER_UNITS.get(option.unit, ', subtype="FACTOR"' if (low, high) == (0, 1) else "")
+    return "FloatProperty", [f"default={default}, min={low:.10g}, max={high:.10g}{unit},"]
+
+
+def blender_options(schema):
+    return [option for option in schema.options if option.blender]
+
+
+def blender_properties(schema):
+    """Properties of a PropertyGroup."""
+    labels = {option.name: option.blender["label"] for option in blender_options(schema)}
+    label_of = lambda name: labels.get(name, name)
     lines = []
+    for option in blender_options(schema):
+        kind, arguments = blender_property(option, label_of)
+        text = named(option.blender.get("text", option.text), label_of)
+        text = text[0].upper() + text[1:]
+        if option.derived and kind != "EnumProperty":
+            text += f"; 0: {named(option.derivation, label_of)}" if c_default_of(option) == 0 else ""
+        lines += [f"{blender_name(option)}: {kind}(", f'    name="{option.blender["label"]}", update=changed,']
+        lines += ["    " + line for line in arguments]
+        described = wrapped(text, '"', '"')
+        lines += [f"    {'description=' if i == 0 else '            '}{line}{' ' if i + 1 < len(described) else ''}\"" + (")" if i + 1 == len(described) else "")
+                  for i, line in enumerate(described)]
+    return lines
+
+
+def blender_settings(schema):
+    """Rows of a table: the property, the field of the library, the panel, the seas that have it."""
+    return [f'Setting("{blender_name(option)}", "{option.name}", "{option.blender["panel"]}", "{option.needs}"),' for option in blender_options(schema)]
+
+
+def page_table(schema):
+    """A page's table."""
+    lines = ["| member | range | default | meaning |", "|---|---|---|---|"]
     for option in schema.options:
         if option.enum:
             values = ", ".join(f"`{name}`" for name, _ in option.enum.values)
@@ -325,4 +386,4 @@ def page_table(schema):
 
 RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "enumeration-checks": enumeration_checks, "c-members": c_fields,
              "c-enumerations": c_enums, "c-make": c_make, "c-checks": c_checks, "c-conversions": c_conversions,
-             "python-fields": python_fields, "properties": typescript_fields, "rows": page_table}
+             "python-fields": python_fields, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table}

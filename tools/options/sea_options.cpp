@@ -309,7 +309,7 @@ constexpr std::array angle_fields = {
 };
 
 /// Returns the option that a sea lacks, "--spectrum jonswap", or an empty text.
-std::string_view requirement_of(Needs needs, const SeaState& sea) {
+std::string_view missing_for(Needs needs, const SeaState& sea) {
     const bool is_spectrum = sea.waves == WaveModel::spectrum, is_pond = sea.waves == WaveModel::pond;
     const auto unless = [](bool applies, std::string_view required) { return applies ? "" : required; };
     switch (needs) {
@@ -338,7 +338,7 @@ std::string_view requirement_of(std::string_view field, const SeaState& sea) {
     for_each_enumeration([&](std::string_view name, auto, auto, Needs of_name) {
         if (name == field) needs = of_name;
     });
-    return requirement_of(needs, sea);
+    return missing_for(needs, sea);
 }
 
 std::string warning_about_weather(const ResolvedSea& sea) {

@@ -34,9 +34,13 @@ WordOption word_option(std::string name) {
 }
 
 const std::vector<WordOption>& word_options() {
-    static const std::vector<WordOption> all = {word_option<WaveModel, &SeaState::waves>("waves"),
-                                                word_option<SpectrumModel, &SeaState::spectrum>("spectrum"),
-                                                word_option<SpreadingModel, &SeaState::spreading>("spreading")};
+    static const std::vector<WordOption> all = {
+        // generated from schema/sea.toml: word-options
+        word_option<WaveModel, &SeaState::waves>("waves"),
+        word_option<SpectrumModel, &SeaState::spectrum>("spectrum"),
+        word_option<SpreadingModel, &SeaState::spreading>("spreading"),
+        // end of generated
+    };
     return all;
 }
 

@@ -17,9 +17,18 @@ export interface SeaOptions {
    * Default "spectrum".
    */
   waves?: 'spectrum' | 'analytic' | 'pond';
-  /** Wave spectrum. Default "jonswap". */
+  /**
+   * Wave spectrum. "phillips-paper": scaled as in VR Ocean; one cascade, no swell. "phillips":
+   * Phillips' shape with a physical height. "pierson-moskowitz": a fully developed sea; no fetch.
+   * "jonswap": a sea that grows with the fetch. Default "jonswap".
+   */
   spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap';
-  /** Directional spreading. The spectrum phillips-paper accepts only paper. Default "paper". */
+  /**
+   * Directional spreading. "paper": VR Ocean, by windAlignment. "cosine-2s": measured,
+   * Longuet-Higgins et al. 1963. "hasselmann": measured, Hasselmann et al. 1980.
+   * "donelan-banner": measured, Donelan et al. 1985 and Banner 1990. The spectrum phillips-paper
+   * accepts only paper. Default "paper".
+   */
   spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
   /**
    * Number of cascades, each a band of wavelengths: 1, 2, 3 or 4, or 0: chosen. More than one

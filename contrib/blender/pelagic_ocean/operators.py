@@ -71,25 +71,8 @@ class PELAGIC_OT_preset(OnOcean, bpy.types.Operator):
 def take_preset(settings, name):
     sea = library.pelagic.preset(name)
     settings.preset = name
-    settings.wind_speed = sea.wind_speed_mps
-    settings.wind_direction = sea.wind_direction_rad
-    settings.choppiness = sea.choppiness
-    settings.loop_period = sea.loop_period_s
-    settings.fetch = sea.fetch_m
-    settings.depth = sea.depth_m
-    settings.spectrum = sea.spectrum
-    settings.spreading = sea.spreading
-    settings.wind_alignment = sea.wind_alignment
-    settings.short_wave_cutoff = sea.short_wave_cutoff
-    settings.swell_height = sea.swell_height_m
-    settings.swell_period = sea.swell_period_s
-    settings.swell_direction = sea.swell_direction_rad
-    settings.swell_spread = sea.swell_spread_rad
-    settings.wave_strength = sea.wave_strength
-    settings.wave_height = max(0, sea.wave_height_m)
-    settings.cascades = sea.cascades
-    settings.cascade_resolution = str(sea.resolution)
-    settings.cascade_side = sea.patch_size_m
+    for setting in sea_object.SETTINGS:
+        setting.take(settings, sea)
 
 
 class PELAGIC_OT_record(OnOcean, bpy.types.Operator):

@@ -52,20 +52,20 @@ class PELAGIC_PT_ocean(Section, bpy.types.Panel):
             layout.label(text=settings.error, icon="ERROR")
 
 
+def draw_settings(layout, settings, panel):
+    """Draws the settings of a panel that have an effect on the sea."""
+    sea = library.pelagic.preset(settings.preset)
+    for setting in sea_object.SETTINGS:
+        if setting.panel == panel and setting.is_of(sea):
+            layout.prop(settings, setting.name)
+
+
 class PELAGIC_PT_waves(OfOcean, bpy.types.Panel):
     bl_label = "Waves"
 
     def draw(self, context):
         layout, settings = self.prepare(), context.object.pelagic
-        layout.prop(settings, "wind_speed")
-        layout.prop(settings, "wind_direction")
-        spectrum = sea_object.has_spectrum(library.pelagic.preset(settings.preset))
-        for name in ("fetch", "depth") if spectrum else ("wave_strength", "wave_height"):
-            layout.prop(settings, name)
-        layout.prop(settings, "choppiness")
-        layout.prop(settings, "loop_period")
-        if spectrum:
-            layout.prop(settings, "seed")
+        draw_settings(layout, settings, "waves")
 
 
 class PELAGIC_PT_swell(OfOcean, bpy.types.Panel):
@@ -78,8 +78,7 @@ class PELAGIC_PT_swell(OfOcean, bpy.types.Panel):
         return is_ocean(object) and sea_object.has_spectrum(library.pelagic.preset(object.pelagic.preset))
 
     def draw(self, context):
-        for name in ("swell_height", "swell_period", "swell_direction", "swell_spread"):
-            self.prepare().prop(context.object.pelagic, name)
+        draw_settings(self.prepare(), context.object.pelagic, "swell")
 
 
 class PELAGIC_PT_spectrum(OfOcean, bpy.types.Panel):
@@ -87,12 +86,8 @@ class PELAGIC_PT_spectrum(OfOcean, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        settings = context.object.pelagic
-        if sea_object.has_spectrum(library.pelagic.preset(settings.preset)):
-            for name in ("spectrum", "spreading", "wind_alignment", "short_wave_cutoff"):
-                self.prepare().prop(settings, name)
-        for name in ("cascades", "cascade_resolution", "cascade_side"):
-            self.prepare().prop(settings, name)
+        for panel in ("spectrum", "cascades"):
+            draw_settings(self.prepare(), context.object.pelagic, panel)
 
 
 class PELAGIC_PT_mesh(OfOcean, bpy.types.Panel):

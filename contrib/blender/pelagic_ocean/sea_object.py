@@ -58,36 +58,65 @@ def is_live(object):
             and not object.data.library and object.mode != "EDIT")
 
 
+class Setting(typing.NamedTuple):
+    """A property of an ocean object and its field of the library's sea."""
+    name: str
+    field: str
+    panel: str
+    needs: str  # "", or the seas on which it has an effect, as in schema/sea.toml
+
+    def is_of(self, sea):
+        return self.needs in ("", "no_pond") or (self.needs in ("analytic", "no_spectrum")) != has_spectrum(sea)
+
+    def take(self, settings, sea):
+        """Takes the value of a preset."""
+        value = getattr(sea, self.field)
+        if self.field in ZERO_IS_DERIVED:
+            value = max(0, value)
+        setattr(settings, self.name, str(value) if self.field == "resolution" else value)
+
+    def value_in(self, settings):
+        value = getattr(settings, self.name)
+        if self.field.endswith("_rad"):
+            return math.radians(typed_degrees(value))
+        if self.field == "resolution":
+            return int(value)
+        if self.field in ZERO_IS_DERIVED and value <= 0:
+            return -1
+        return typed(value) if isinstance(value, float) else value
+
+
+ZERO_IS_DERIVED = ("wave_height_m",)  # -1 in the library
+SETTINGS = (
+    # generated from schema/sea.toml: blender-settings
+    Setting("spectrum", "spectrum", "spectrum", "spectrum"),
+    Setting("spreading", "spreading", "spectrum", "spectrum"),
+    Setting("cascades", "cascades", "cascades", ""),
+    Setting("cascade_resolution", "resolution", "cascades", ""),
+    Setting("cascade_side", "patch_size_m", "cascades", ""),
+    Setting("wind_speed", "wind_speed_mps", "waves", ""),
+    Setting("wind_direction", "wind_direction_rad", "waves", ""),
+    Setting("fetch", "fetch_m", "waves", "jonswap"),
+    Setting("depth", "depth_m", "waves", ""),
+    Setting("choppiness", "choppiness", "waves", "no_pond"),
+    Setting("short_wave_cutoff", "short_wave_cutoff", "spectrum", "spectrum"),
+    Setting("wind_alignment", "wind_alignment", "spectrum", "paper_spreading"),
+    Setting("swell_height", "swell_height_m", "swell", "spectrum"),
+    Setting("swell_period", "swell_period_s", "swell", "swell"),
+    Setting("swell_direction", "swell_direction_rad", "swell", "swell"),
+    Setting("swell_spread", "swell_spread_rad", "swell", "swell"),
+    Setting("loop_period", "loop_period_s", "waves", ""),
+    Setting("seed", "seed", "waves", "spectrum"),
+    Setting("wave_strength", "wave_strength", "waves", "analytic"),
+    Setting("wave_height", "wave_height_m", "waves", "no_spectrum"),
+    # end of generated
+)
+
+
 def sea_of(settings):
     """Returns the preset's sea with the panel's options. Raises ValueError with one line."""
     sea = library.pelagic.preset(settings.preset)
-    changes = {
-        "wind_speed_mps": typed(settings.wind_speed),
-        "wind_direction_rad": math.radians(typed_degrees(settings.wind_direction)),
-        "choppiness": typed(settings.choppiness),
-        "loop_period_s": typed(settings.loop_period),
-        "cascades": settings.cascades,
-        "resolution": int(settings.cascade_resolution),
-        "patch_size_m": typed(settings.cascade_side),
-    }
-    if has_spectrum(sea):
-        changes |= {
-            "spectrum": settings.spectrum,
-            "spreading": settings.spreading,
-            "fetch_m": typed(settings.fetch),
-            "depth_m": typed(settings.depth),
-            "wind_alignment": typed(settings.wind_alignment),
-            "short_wave_cutoff": typed(settings.short_wave_cutoff),
-            "swell_height_m": typed(settings.swell_height),
-            "swell_period_s": typed(settings.swell_period),
-            "swell_direction_rad": math.radians(typed_degrees(settings.swell_direction)),
-            "swell_spread_rad": math.radians(typed_degrees(settings.swell_spread)),
-            "seed": settings.seed,
-        }
-    else:
-        height = typed(settings.wave_height)
-        changes |= {"wave_strength": typed(settings.wave_strength), "wave_height_m": height if height > 0 else -1}
-    return dataclasses.replace(sea, **changes)
+    return dataclasses.replace(sea, **{setting.field: setting.value_in(settings) for setting in SETTINGS if setting.is_of(sea)})
 
 
 def record_of(settings):

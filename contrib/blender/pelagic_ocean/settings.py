@@ -7,8 +7,7 @@ from bpy.props import (BoolProperty, EnumProperty, FloatProperty, FloatVectorPro
 
 from . import timeline
 
-# Defaults and ranges are the library's (sim/sea_state.hpp, dynamic_waves.hpp, rain.hpp), which
-# checks values again.
+# Defaults and ranges are the library's, which checks values again.
 full_turn = 2 * math.pi
 
 
@@ -27,75 +26,100 @@ class PelagicOcean(bpy.types.PropertyGroup):
         name="Preset", default="moderate", options={"HIDDEN"}, update=changed,
         description="The named sea that was chosen last; it also sets options that have no setting here")
 
+    # generated from schema/sea.toml: blender-properties
+    spectrum: EnumProperty(
+        name="Spectrum", update=changed,
+        default="jonswap", items=(
+            ("phillips-paper", "phillips-paper", "Scaled as in VR Ocean; one cascade, no swell", 0),
+            ("phillips", "phillips", "Phillips' shape with a physical height", 1),
+            ("pierson-moskowitz", "pierson-moskowitz", "A fully developed sea; no fetch", 2),
+            ("jonswap", "jonswap", "A sea that grows with the fetch", 3)),
+        description="Wave spectrum")
+    spreading: EnumProperty(
+        name="Spreading", update=changed,
+        default="paper", items=(
+            ("paper", "paper", "VR Ocean, by Alignment", 0),
+            ("cosine-2s", "cosine-2s", "Measured, Longuet-Higgins et al. 1963", 1),
+            ("hasselmann", "hasselmann", "Measured, Hasselmann et al. 1980", 2),
+            ("donelan-banner", "donelan-banner", "Measured, Donelan et al. 1985 and Banner 1990", 3)),
+        description="Directional spreading")
+    cascades: IntProperty(
+        name="Cascades", update=changed,
+        default=0, min=0, max=4,
+        description="Number of cascades, each a band of wavelengths; 0: four, or one if Cascade Side is set, the "
+                    "resolution is 16 or the model has only one")
+    cascade_resolution: EnumProperty(
+        name="Texels", update=changed,
+        default="0",
+        items=[("0", "Automatic", "128, or 256 if Cascade Side is set", 0)] + [(str(n), str(n), "", n) for n in (16, 32, 64, 128, 256, 512, 1024, 2048)],
+        description="N, texels along a side of each cascade")
+    cascade_side: FloatProperty(
+        name="Cascade Side", update=changed,
+        default=0, min=0, max=1000000, subtype="DISTANCE",
+        description="L, the side of the only cascade, after which the sea repeats; 0: sides derived from the sea")
     wind_speed: FloatProperty(
-        name="Wind", default=12, min=0.1, max=60, unit="VELOCITY", update=changed,
-        description="Mean wind 10 m above the sea")
+        name="Wind", update=changed,
+        default=12, min=0.1, max=60, unit="VELOCITY",
+        description="U10, mean wind speed 10 m above the sea")
     wind_direction: FloatProperty(
-        name="Blows Towards", min=-full_turn, max=full_turn, subtype="ANGLE", update=changed,
+        name="Blows Towards", update=changed,
+        default=0, min=-6.283185307, max=6.283185307, subtype="ANGLE",
         description="Where the wind blows towards, from +X clockwise seen from above: 90 degrees is -Y")
     fetch: FloatProperty(
-        name="Fetch", default=100e3, min=1, max=2e6, subtype="DISTANCE", update=changed,
-        description="How far the wind has blown over water; a longer fetch makes longer and higher waves, "
-                    "until they are fully developed")
+        name="Fetch", update=changed,
+        default=100000, min=1, max=2000000, subtype="DISTANCE",
+        description="Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has an "
+                    "effect")
     depth: FloatProperty(
-        name="Depth", default=4000, min=0.01, max=11000, subtype="DISTANCE", update=changed,
-        description="Depth of the water; waves that feel the ground are slower and lower")
+        name="Depth", update=changed,
+        default=4000, min=0.01, max=11000, subtype="DISTANCE",
+        description="Depth of the water, which slows and lowers long waves")
     choppiness: FloatProperty(
-        name="Choppiness", default=0.8, min=0, max=1, subtype="FACTOR", update=changed,
-        description="How far water moves towards crests: 0 gives round waves, 1 sharp ones")
-    spectrum: EnumProperty(
-        name="Spectrum", default="jonswap", update=changed, items=(
-            ("phillips-paper", "Phillips, VR Ocean", "Scaled as in VR Ocean; one cascade, no swell", 0),
-            ("phillips", "Phillips", "In metres", 1),
-            ("pierson-moskowitz", "Pierson-Moskowitz", "A fully developed sea; no fetch", 2),
-            ("jonswap", "JONSWAP", "A sea that grows with the fetch", 3)))
-    spreading: EnumProperty(
-        name="Spreading", default="paper", update=changed, items=(
-            ("paper", "VR Ocean", "By Alignment", 0),
-            ("cosine-2s", "Cosine-2s", "Measured, Longuet-Higgins", 1),
-            ("hasselmann", "Hasselmann", "Measured, Hasselmann 1980", 2),
-            ("donelan-banner", "Donelan-Banner", "Measured, Donelan 1985 and Banner 1990", 3)))
-    wind_alignment: FloatProperty(
-        name="Alignment", default=0.5, min=0, max=1, subtype="FACTOR", update=changed,
-        description="Of the spreading VR Ocean: 0 sends a third of the energy against the wind, 1 a hundredth")
+        name="Choppiness", update=changed,
+        default=0.8, min=0, max=1, subtype="FACTOR",
+        description="Scale of horizontal displacements")
     short_wave_cutoff: FloatProperty(
-        name="Calm Small Waves", min=0, max=1, subtype="FACTOR", update=changed,
-        description="0 keeps small waves, 1 removes those below a quarter of the peak's")
-    wave_strength: FloatProperty(
-        name="Strength", default=1, min=0, max=2, update=changed,
-        description="Of an analytic sea: 0 calm, 1 moderate, 2 intense")
-    wave_height: FloatProperty(
-        name="Wave Height", min=0, max=30, subtype="DISTANCE", update=changed,
-        description="Significant height of an analytic sea or a pond; 0: from its other options")
-    seed: IntProperty(name="Seed", default=1, min=0, update=changed, description="Which sea of this kind")
-    loop_period: FloatProperty(
-        name="Loop", default=200, min=0.1, max=86400, unit="TIME_ABSOLUTE", update=changed,
-        description="The sea repeats exactly after so many seconds")
-
+        name="Calm Small Waves", update=changed,
+        default=0, min=0, max=1, subtype="FACTOR",
+        description="0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength")
+    wind_alignment: FloatProperty(
+        name="Alignment", update=changed,
+        default=0.5, min=0, max=1, subtype="FACTOR",
+        description="Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper")
     swell_height: FloatProperty(
-        name="Height", min=0, max=30, subtype="DISTANCE", update=changed,
-        description="Significant height of waves from elsewhere; 0: none")
+        name="Height", update=changed,
+        default=0, min=0, max=30, subtype="DISTANCE",
+        description="Significant wave height of a swell, in addition to the waves of the wind")
     swell_period: FloatProperty(
-        name="Period", default=12, min=1, max=40, unit="TIME_ABSOLUTE", update=changed,
-        description="Seconds at which the swell's spectrum peaks")
+        name="Period", update=changed,
+        default=12, min=1, max=40, unit="TIME_ABSOLUTE",
+        description="Peak period of the swell")
     swell_direction: FloatProperty(
-        name="Runs Towards", min=-full_turn, max=full_turn, subtype="ANGLE", update=changed,
+        name="Runs Towards", update=changed,
+        default=0, min=-6.283185307, max=6.283185307, subtype="ANGLE",
         description="Where the swell runs towards, from +X clockwise seen from above")
     swell_spread: FloatProperty(
-        name="Spread", default=math.radians(15), min=math.radians(1), max=math.radians(80), subtype="ANGLE",
-        update=changed, description="Standard deviation of the swell's directions")
-
-    cascades: IntProperty(
-        name="Cascades", default=0, min=0, max=4, update=changed,
-        description="Bands of wavelengths, each with a periodic square; 0: four, or one if its side is given")
-    cascade_resolution: EnumProperty(
-        name="Texels", default="0", update=changed,
-        description="Along a side of each cascade; more hold shorter waves",
-        items=[("0", "Automatic", "128, or 256 where the side is given", 0)] +
-              [(str(2 ** k), str(2 ** k), "", 2 ** k) for k in range(4, 12)])
-    cascade_side: FloatProperty(
-        name="Cascade Side", min=0, max=1e6, subtype="DISTANCE", update=changed,
-        description="Side of the only cascade, after which the sea repeats; 0: from the sea")
+        name="Spread", update=changed,
+        default=0.2617993878, min=0.01745329252, max=1.396263402, subtype="ANGLE",
+        description="Standard deviation of the swell's directions")
+    loop_period: FloatProperty(
+        name="Loop", update=changed,
+        default=200, min=0.1, max=86400, unit="TIME_ABSOLUTE",
+        description="T, the period after which the sea repeats exactly")
+    seed: IntProperty(
+        name="Seed", update=changed,
+        default=1, min=0,
+        description="Seed of the random phases and amplitudes")
+    wave_strength: FloatProperty(
+        name="Strength", update=changed,
+        default=1, min=0, max=2,
+        description="Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between")
+    wave_height: FloatProperty(
+        name="Wave Height", update=changed,
+        default=0, min=0, max=30, subtype="DISTANCE",
+        description="Significant wave height of an analytic sea or a pond; 0: from Strength, of a pond 0.017 "
+                    "longest_wave_m")
+    # end of generated
 
     size: FloatProperty(
         name="Size", default=100, min=0.01, max=1e5, soft_max=2000, subtype="DISTANCE", update=changed,

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""schema/*.toml: the generated regions are current, wrong schemas are refused in one line, and an option that is added
+to a schema exists in each language.
+
+usage: options_test.py SOURCE C_COMPILER CXX_COMPILER
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE, CC, CXX = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+FOLDERS = ("schema", "sim", "message", "simd", "analytic", "capi", "floating", "gl/sky", "jobs", "quadtree", "python/pelagic",
+           "tools/options", "tools/bindings", "web/package", "docs/sea-state.md")
+MADE_UP = """
+[[option]]
+name = "made_up_m"
+unit = "m"
+default = 2.5
+range = "(0, 7]"
+text = "an option of a test"
+flag_help = "an option of a test"
+
+[[option]]
+name = "made_up_model"
+enum = "SpreadingModel"
+default = "hasselmann"
+text = "an enumeration of a test"
+"""
+
+
+def generate(tree, *arguments):
+    return subprocess.run([sys.executable, SOURCE / "tools/bindings/options.py", *arguments, tree], capture_output=True, text=True)
+
+
+class Regions(unittest.TestCase):
+    def test_are_those_of_the_schemas(self):
+        found = generate(SOURCE)
+        self.assertEqual((found.returncode, found.stdout + found.stderr), (0, ""))
+
+
+class Schemas(unittest.TestCase):
+    def refused(self, change, file="sea.toml"):
+        """The error of a schema after change(text)."""
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(SOURCE / "schema", pathlib.Path(folder, "schema"))
+            path = pathlib.Path(folder, "schema", file)
+            text = path.read_text()
+            path.write_text(change(text))
+            self.assertNotEqual(path.read_text(), text)
+            found = generate(folder)
+            self.assertEqual((found.returncode, found.stdout), (1, ""))
+            return found.stderr
+
+    def test_wrong_ones_are_refused_in_one_line(self):
+        for expected, change in (
+            ("options.py: sea.toml has fetch_m twice\n", lambda text: text.replace('name = "depth_m"', 'name = "fetch_m"')),
+            (r"options.py: sea.toml: fetch_m has the unknown unit km, accepted: m, s, .*\n", lambda text: text.replace('"fetch_m"\nunit = "m"', '"fetch_m"\nunit = "km"')),
+            (r"options.py: sea.toml: fetch_m has the unit s, expected a name that ends in _s\n", lambda text: text.replace('"fetch_m"\nunit = "m"', '"fetch_m"\nunit = "s"')),
+            (r"options.py: sea.toml: choppiness has the default 1.2, which is out of its range \[0, 1\]\n", lambda text: text.replace("default = 0.8", "default = 1.2")),
+            (r"options.py: sea.toml: spreading has the default round, expected one of paper, .*\n", lambda text: text.replace('default = "paper"', 'default = "round"')),
+            (r"options.py: sea.toml: seed has the unknown key maximum, accepted: accepted, .*\n", lambda text: text.replace('name = "seed"\n', 'name = "seed"\nmaximum = 3\n')),
+            (r"options.py: sea.toml: seed has the unknown type long, accepted: bool, .*\n", lambda text: text.replace('type = "uint32"', 'type = "long"')),
+            (r"options.py: sea.toml: .*line \d+.*\n", lambda text: text + "[[option"),
+        ):
+            self.assertRegex(self.refused(change), rf"\A{expected}\Z")
+
+    def test_a_region_of_no_schema_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "sim").mkdir()
+            pathlib.Path(folder, "sim/a.hpp").write_text("// generated from schema/nosuch.toml: members\n// end of generated\n")
+            self.assertEqual(generate(folder).stderr, "options.py: sim/a.hpp has a region of nosuch.toml, which is not in schema/\n")
+
+
+class NewOption(unittest.TestCase):
+    """A copy of the tree whose sea has two options more."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.tree = pathlib.Path(cls.folder.name, "pelagic")
+        for name in FOLDERS:
+            target = cls.tree / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            (shutil.copytree if (SOURCE / name).is_dir() else shutil.copy)(SOURCE / name, target)
+        shutil.copy(SOURCE / "capi/pelagic.h", cls.tree / "pelagic.h")
+        with open(cls.tree / "schema/sea.toml", "a") as schema:
+            schema.write(MADE_UP)
+        found = generate(cls.tree, "--write")
+        assert found.returncode == 0, found.stderr
+        shutil.copy(cls.tree / "capi/pelagic.h", cls.tree / "pelagic.h")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def run_program(self, compiler, name, text, *flags):
+        source = self.tree / name
+        source.write_text(text)
+        built = subprocess.run([compiler, f"-I{self.tree.parent}", source, *flags, "-o", source.with_suffix("")], capture_output=True, text=True)
+        self.assertEqual((built.returncode, built.stderr), (0, ""))
+        ran = subprocess.run([source.with_suffix("")], capture_output=True, text=True)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        return ran.stdout
+
+    def test_is_set_and_checked_in_cpp(self):
+        # Only the table and the struct are called; what check() needs beside them stays unresolved.
+        output = self.run_program(CXX, "set.cpp", """
+#include <cstdio>
+#include "pelagic/sim/spectrum/sea_state.cpp"
+int main() {
+    pelagic::SeaState sea;
+    for (const pelagic::SeaStateField& field : pelagic::sea_state_fields()) {
+        if (field.name != "made_up_m") continue;
+        std::printf("%g %d %d %.*s", field.value_in(sea), field.accepts(0), field.accepts(7), int(field.accepted.size()), field.accepted.data());
+        field.set(sea, 3);
+    }
+    sea.made_up_model = pelagic::SpreadingModel::cosine_2s;
+    std::printf(" %g", sea.made_up_m);
+}
+""", "-std=c++20", "-Wl,--unresolved-symbols=ignore-all")
+        self.assertEqual(output, "2.5 0 1 (0, 7] 3")
+
+    def test_is_set_in_c(self):
+        output = self.run_program(CC, "set.c", """
+#include <stdio.h>
+#include "pelagic/pelagic.h"
+int main(void) {
+    pelagic_sea sea = pelagic_sea_make();
+    printf("%g %d", sea.made_up_m, sea.made_up_model == PELAGIC_SPREADING_HASSELMANN);
+    sea.made_up_m = 3;
+    sea.made_up_model = PELAGIC_SPREADING_PAPER;
+    printf(" %g", sea.made_up_m);
+    return 0;
+}
+""", "-std=c99", "-Wall", "-Wextra", "-Werror", "-DPELAGIC_STATIC")
+        self.assertEqual(output, "2.5 1 3")
+
+    def test_is_converted_between_c_and_cpp(self):
+        text = (self.tree / "capi/c_sea.cpp").read_text()
+        self.assertIn("to.made_up_m = from.made_up_m;", text)
+        self.assertEqual(text.count("made_up_model"), 5)
+
+    def test_is_a_flag_a_key_and_a_row_of_the_page(self):
+        flags = (self.tree / "tools/options/sea_options.cpp").read_text()
+        self.assertIn('{"made-up", "made_up_m", "an option of a test"', flags)
+        self.assertIn('visit("made-up-model", &SeaState::made_up_model', flags)
+        self.assertIn("| `made_up_m` | (0, 7] | 2.5 | an option of a test |", (self.tree / "docs/sea-state.md").read_text())
+
+    def test_is_a_type_in_javascript(self):
+        types = (self.tree / "web/package/index.d.ts").read_text()
+        self.assertIn("  /** An option of a test, metres: (0, 7]. Default 2.5. */\n  madeUpM?: number;", types)
+        self.assertIn("  madeUpModel?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';", types)
+
+    def test_is_set_in_python(self):
+        text = (self.tree / "python/pelagic/_sea.py").read_text()
+        self.assertRegex(text, r'(?m)^    made_up_m: float = 2\.5$')
+        self.assertRegex(text, r'(?m)^    made_up_model: str = "hasselmann"$')
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
