@@ -87,6 +87,9 @@ struct SeaState {
     /// Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
     /// an effect; (0, 2e6].
     double fetch_m = 100e3;
+    /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
+    /// [1, 10].
+    double peak_enhancement = 3.3;
     /// Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6
     /// of it break.
     double depth_m = 4000;

@@ -74,6 +74,9 @@ class Sea:
     fetch_m: float = 100e3
     """Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
     an effect; (0, 2e6]."""
+    peak_enhancement: float = 3.3
+    """Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
+    [1, 10]."""
     depth_m: float = 4000.0
     """Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6
     of it break."""

@@ -21,6 +21,7 @@ constexpr SeaStateField sea_state_field_table[] = {
     {"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Restriction::above_min},
     {"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     {"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Restriction::above_min},
+    {"peak_enhancement", &SeaState::peak_enhancement, 1, 10, "[1, 10]"},
     {"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
     {"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
     {"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Restriction::none, -1},

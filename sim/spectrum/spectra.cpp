@@ -13,8 +13,7 @@ constexpr double euler_e = 2.71828182845904523536;
 
 constexpr double phillips_constant = 0.0081;     // alpha; Phillips 1958, Pierson and Moskowitz 1964
 constexpr double pierson_moskowitz_beta = 0.74;  // Pierson and Moskowitz 1964
-constexpr double jonswap_gamma = 3.3;            // Hasselmann et al. 1973, as all of JONSWAP below
-constexpr double jonswap_width_below_peak = 0.07;
+constexpr double jonswap_width_below_peak = 0.07;  // Hasselmann et al. 1973
 constexpr double jonswap_width_above_peak = 0.09;
 constexpr double smallest_wave_m = 0.001;  // l_min of VR Ocean, equation 11
 
@@ -156,7 +155,7 @@ double WaveSpectrum::largest_variance() const {
     const double scale = largest_wave_m_ * largest_wave_m_;  // V^4 / g^2
     switch (sea_.spectrum) {
         case SpectrumModel::jonswap:
-            return jonswap_gamma * jonswap_alpha_ * gravity_mps2 * gravity_mps2 / (5 * fourth_power(peak_)) +
+            return sea_.peak_enhancement * jonswap_alpha_ * gravity_mps2 * gravity_mps2 / (5 * fourth_power(peak_)) +
                    swell_variance_;
         case SpectrumModel::pierson_moskowitz:
             return phillips_constant * scale / (4 * pierson_moskowitz_beta) + swell_variance_;
@@ -173,7 +172,7 @@ double WaveSpectrum::frequency_density(double omega) const {
     }
     const double width = omega <= peak_ ? jonswap_width_below_peak : jonswap_width_above_peak;
     const double off_peak = (omega - peak_) / (width * peak_);
-    const double enhancement = det::pow(jonswap_gamma, det::exp(-0.5 * off_peak * off_peak));
+    const double enhancement = det::pow(sea_.peak_enhancement, det::exp(-0.5 * off_peak * off_peak));
     return jonswap_alpha_ * tail * det::exp(-1.25 * fourth_power(peak_ / omega)) * enhancement;
 }
 

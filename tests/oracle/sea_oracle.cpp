@@ -173,7 +173,7 @@ double frequency_density(const SeaState& sea, double w) {
     const double peak = 22 * std::cbrt(gravity * gravity / (v * grown_fetch_m(sea)));
     const double sigma = w <= peak ? 0.07 : 0.09;
     const double r = std::exp(-(w - peak) * (w - peak) / (2 * sigma * sigma * peak * peak));
-    return alpha * gravity * gravity * std::pow(w, -5) * std::exp(-1.25 * std::pow(peak / w, 4)) * std::pow(3.3, r);
+    return alpha * gravity * gravity * std::pow(w, -5) * std::exp(-1.25 * std::pow(peak / w, 4)) * std::pow(sea.peak_enhancement, r);
 }
 
 double density(const SeaState& sea, double kx, double kz) {

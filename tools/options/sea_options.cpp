@@ -42,6 +42,8 @@ constexpr SeaFlag sea_flags[] = {
     {"wind-speed", "wind_speed_mps", "wind speed at 10 m", help_group::sea, Needs::nothing, "", ""},
     {"wind-direction", "wind_direction_rad", "heading", help_group::sea, Needs::nothing, "", ""},
     {"fetch", "fetch_m", "fetch in metres (jonswap)", help_group::sea, Needs::jonswap, "", ""},
+    {"peak-enhancement", "peak_enhancement", "height of the spectrum's peak, gamma (jonswap)",
+     help_group::sea, Needs::jonswap, "", ""},
     {"depth", "depth_m", "water depth in metres", help_group::sea, Needs::nothing, "", ""},
     {"choppiness", "choppiness", "scale of horizontal displacement", help_group::sea, Needs::no_pond, "", ""},
     {"roughness", "roughness", "roughness of unresolved waves",

@@ -58,6 +58,11 @@ export interface SeaOptions {
    */
   fetchM?: number;
   /**
+   * Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap):
+   * [1, 10]. Default 3.3.
+   */
+  peakEnhancement?: number;
+  /**
    * Depth of the water, which slows and lowers long waves, metres: [0.01, 11000]. Waves higher
    * than 0.6 of it break. Default 4000.
    */

@@ -97,6 +97,7 @@ SETTINGS = (
     Setting("wind_speed", "wind_speed_mps", "waves", ""),
     Setting("wind_direction", "wind_direction_rad", "waves", ""),
     Setting("fetch", "fetch_m", "waves", "jonswap"),
+    Setting("peak_enhancement", "peak_enhancement", "spectrum", "jonswap"),
     Setting("depth", "depth_m", "waves", ""),
     Setting("choppiness", "choppiness", "waves", "no_pond"),
     Setting("short_wave_cutoff", "short_wave_cutoff", "spectrum", "spectrum"),

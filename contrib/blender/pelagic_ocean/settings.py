@@ -70,6 +70,10 @@ class PelagicOcean(bpy.types.PropertyGroup):
         default=100000, min=1, max=2000000, subtype="DISTANCE",
         description="Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has an "
                     "effect")
+    peak_enhancement: FloatProperty(
+        name="Peak Enhancement", update=changed,
+        default=3.3, min=1, max=10,
+        description="Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap)")
     depth: FloatProperty(
         name="Depth", update=changed,
         default=4000, min=0.01, max=11000, subtype="DISTANCE",
