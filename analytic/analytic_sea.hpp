@@ -18,12 +18,9 @@ struct AnalyticWave {
     /// Amplitude; the sum of 2 pi amplitude_m / wavelength_m over the waves is at most 0.4;
     /// [0, 100].
     double amplitude_m = 0;
-    /// Wavelength; [0.01, 1000].
-    double wavelength_m = 10;
-    /// Direction of travel, from +x towards +z; [-2 pi, 2 pi].
-    double direction_rad = 0;
-    /// Phase at x = z = t = 0, a crest by default; [-2 pi, 2 pi].
-    double phase_rad = 0;
+    double wavelength_m = 10;  ///< wavelength; [0.01, 1000]
+    double direction_rad = 0;  ///< direction of travel, from +x towards +z; [-2 pi, 2 pi]
+    double phase_rad = 0;      ///< phase at x = z = t = 0, a crest by default; [-2 pi, 2 pi]
     // end of generated
 };
 

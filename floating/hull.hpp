@@ -59,8 +59,7 @@ using HullMatrix = std::array<std::array<double, 6>, 6>;
 
 struct HullOptions {
     // generated from schema/hull.toml: members to mass_kg
-    /// Mass, which has no default; [1e-6, 1e10].
-    double mass_kg = 0;
+    double mass_kg = 0;  ///< mass, which has no default; [1e-6, 1e10]
     // end of generated
     /// In the axes of the mesh; unset: the centre of the mesh's volume.
     std::optional<glm::dvec3> centre_of_mass_m = {};
@@ -71,30 +70,22 @@ struct HullOptions {
     /// waterline's length and beam and of twice the draught (Newman, table 4.3).
     std::optional<HullMatrix> added_mass = {};
     // generated from schema/hull.toml: members after mass_kg
-    /// Fraction of critical damping, of pitch too; [0, 0.999].
-    double heave_damping = 0.2;
-    /// Fraction of critical damping of roll at |GM|; [0, 0.999].
-    double roll_damping = 0.05;
-    /// Drag of advancing faces; [0, 10].
-    double pressure_coefficient = 0.7;
+    double heave_damping = 0.2;         ///< fraction of critical damping, of pitch too; [0, 0.999]
+    double roll_damping = 0.05;         ///< fraction of critical damping of roll at |GM|; [0, 0.999]
+    double pressure_coefficient = 0.7;  ///< drag of advancing faces; [0, 10]
     /// Drag of retreating faces; with pressure_coefficient 0.7 the drag is that of a cube, 1.05
     /// (Hoerner 1965); [0, 10].
     double suction_coefficient = 0.35;
     /// Friction along faces; ITTC 1957 at a Reynolds number of 3e6; [0, 1].
     double friction_coefficient = 4e-3;
-    /// Drag of faces above the water; [0, 10].
-    double air_coefficient = 1;
-    /// Density of the water; [500, 2000].
-    double water_density_kgpm3 = 1025;
-    /// Density of the air; [0, 10].
-    double air_density_kgpm3 = 1.225;
+    double air_coefficient = 1;         ///< drag of faces above the water; [0, 10]
+    double water_density_kgpm3 = 1025;  ///< density of the water; [500, 2000]
+    double air_density_kgpm3 = 1.225;   ///< density of the air; [0, 10]
     /// Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull
     /// under thrust; [0, 1e4]. 0: none.
     double skeg_m2 = 0;
     /// Middle of the skeg in the axes of the mesh; [-1000, 1000].
-    double skeg_x_m = 0;
-    /// Middle of the skeg in the axes of the mesh; [-1000, 1000].
-    double skeg_y_m = 0;
+    double skeg_x_m = 0, skeg_y_m = 0;
     // end of generated
 };
 

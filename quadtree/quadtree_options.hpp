@@ -13,8 +13,7 @@ inline constexpr double paper_patch_m = 64;
 /// A square sea of level-of-detail patches around the viewer (VR Ocean, section 5.1).
 struct QuadtreeOptions {
     // generated from schema/quadtree.toml: members
-    /// S, the side of the square; [256, 8192].
-    double size_m = 2048;
+    double size_m = 2048;  ///< S, the side of the square; [256, 8192]
     /// V, steps along a patch's side, with V + 1 vertices; an even number from 2 to 128.
     int vertices = 64;
     /// Tau: a patch splits nearer than tau times its side (equation 57); [0.75, 8].

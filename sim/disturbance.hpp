@@ -35,28 +35,16 @@ struct Disturbance {
     };
 
     // generated from schema/disturbance.toml: members
-    /// Shape.
-    Shape shape = Shape::gauss;
-    /// What the shape does to the water.
-    Mode mode = Mode::pressure;
-    /// Initial position in the world; [-1e8, 1e8].
-    double x_m = 0;
-    /// Initial position in the world; [-1e8, 1e8].
-    double z_m = 0;
-    /// Radius, of a hull half its beam; [0.001, 1000].
-    double radius_m = 1;
-    /// Half the length of a hull; [0.001, 1000].
-    double length_m = 1;
-    /// Direction of a hull's length, from +x towards +z; [-2 pi, 2 pi].
-    double heading_rad = 0;
-    /// Height of the shape, below 0 for a floating hull; [-100, 100].
-    double height_m = 0;
-    /// Rate of a relaxation; (0, 1000].
-    double rate_per_s = 10;
+    Shape shape = Shape::gauss;  ///< shape
+    Mode mode = Mode::pressure;  ///< what the shape does to the water
+    double x_m = 0, z_m = 0;     ///< initial position in the world; [-1e8, 1e8]
+    double radius_m = 1;         ///< radius, of a hull half its beam; [0.001, 1000]
+    double length_m = 1;         ///< half the length of a hull; [0.001, 1000]
+    double heading_rad = 0;      ///< direction of a hull's length, from +x towards +z; [-2 pi, 2 pi]
+    double height_m = 0;         ///< height of the shape, below 0 for a floating hull; [-100, 100]
+    double rate_per_s = 10;      ///< rate of a relaxation; (0, 1000]
     /// Velocity of a source until it is replaced; [-1000, 1000].
-    double velocity_x_mps = 0;
-    /// Velocity of a source until it is replaced; [-1000, 1000].
-    double velocity_z_mps = 0;
+    double velocity_x_mps = 0, velocity_z_mps = 0;
     // end of generated
 };
 

@@ -46,25 +46,19 @@ struct EnumNames<DynamicWavesStep> {
 
 struct DynamicWavesOptions {
     // generated from schema/dynamic_waves.toml: members
-    /// How a tick advances the waves.
-    DynamicWavesStep step = DynamicWavesStep::spectral;
-    /// N, texels along a side; 64, 128, 256, 512 or 1024.
-    int resolution = 256;
-    /// Side of the grid; [1, 10000].
-    double side_m = 64;
-    /// Ticks of the simulation a second; [10, 240].
-    int ticks_per_s = 60;
+    DynamicWavesStep step = DynamicWavesStep::spectral;  ///< how a tick advances the waves
+    int resolution = 256;                                ///< N, texels along a side; 64, 128, 256, 512 or 1024
+    double side_m = 64;                                  ///< side of the grid; [1, 10000]
+    int ticks_per_s = 60;                                ///< ticks of the simulation a second; [10, 240]
     /// Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves
     /// wrap around.
     double border_m = 12;
-    /// Depth of the water (spectral); [0.01, 11000].
-    double depth_m = 1e4;
+    double depth_m = 1e4;  ///< depth of the water (spectral); [0.01, 11000]
     /// Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1].
     double viscosity_m2ps = 2e-3;
     /// Speed of all waves, with (speed / (ticks_per_s texel))^2 at most 0.4 (verlet); (0, 1000].
     double wave_speed_mps = 3;
-    /// Decay rate of amplitudes; [0, 10].
-    double decay_per_s = 0.01;
+    double decay_per_s = 0.01;  ///< decay rate of amplitudes; [0, 10]
     /// Foam begins above this height and is full at twice it; [0.001, 100].
     double foam_height_m = 0.2;
     // end of generated

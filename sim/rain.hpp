@@ -22,10 +22,8 @@ struct Rain {
     /// Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel
     /// is a texel wide on the grid, flatter and with equal volume.
     double radius_m = 0.25;
-    /// Depth of a crater; [-10, 10].
-    double height_m = 0.02;
-    /// Seed of the drops.
-    std::uint32_t seed = 1;
+    double height_m = 0.02;  ///< depth of a crater; [-10, 10]
+    std::uint32_t seed = 1;  ///< seed of the drops
     // end of generated
 };
 

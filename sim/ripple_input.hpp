@@ -24,19 +24,14 @@ namespace pelagic {
 
 struct Ripple {
     // generated from schema/ripple.toml: members
-    /// Centre; [-1e8, 1e8].
-    double x_m = 0;
-    /// Centre; [-1e8, 1e8].
-    double z_m = 0;
-    /// Wavelength; [0.01, 1000].
-    double wavelength_m = 1;
+    double x_m = 0, z_m = 0;  ///< centre; [-1e8, 1e8]
+    double wavelength_m = 1;  ///< wavelength; [0.01, 1000]
     /// Amplitude at the centre, at most wavelength_m / (2 pi), a slope of 1; [0, 100].
     double amplitude_m = 0;
     /// Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
     /// half of that side.
     double reach_m = 0;
-    /// Phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi].
-    double phase_rad = 0;
+    double phase_rad = 0;  ///< phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi]
     // end of generated
 };
 

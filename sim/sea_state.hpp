@@ -33,7 +33,8 @@ enum class SpectrumModel {
 };
 template <>
 struct EnumNames<SpectrumModel> {
-    static constexpr std::array<std::string_view, 4> all = {"phillips-paper", "phillips", "pierson-moskowitz", "jonswap"};
+    static constexpr std::array<std::string_view, 4> all = {
+        "phillips-paper", "phillips", "pierson-moskowitz", "jonswap"};
 };
 
 /// Directional spreading around the wind. The measured models, hasselmann and donelan-banner,
@@ -66,8 +67,7 @@ struct SeaState {
     /// after it. All models use the wind, whose direction is that of their waves. A pond has one
     /// cascade.
     WaveModel waves = WaveModel::spectrum;
-    /// Wave spectrum.
-    SpectrumModel spectrum = SpectrumModel::jonswap;
+    SpectrumModel spectrum = SpectrumModel::jonswap;  ///< wave spectrum
     /// Directional spreading. The spectrum phillips-paper accepts only paper.
     SpreadingModel spreading = SpreadingModel::paper;
     /// Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if
@@ -80,8 +80,7 @@ struct SeaState {
     /// L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived
     /// from the sea.
     double patch_size_m = 0;
-    /// U10, mean wind speed 10 m above the sea; (0, 60].
-    double wind_speed_mps = 12;
+    double wind_speed_mps = 12;  ///< U10, mean wind speed 10 m above the sea; (0, 60]
     /// Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi].
     double wind_direction_rad = 0;
     /// Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
@@ -107,16 +106,14 @@ struct SeaState {
     /// Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no
     /// swell.
     double swell_height_m = 0;
-    /// Peak period of the swell; [1, 40].
-    double swell_period_s = 12;
+    double swell_period_s = 12;  ///< peak period of the swell; [1, 40]
     /// Direction that the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi].
     double swell_direction_rad = 0;
     /// Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default.
     double swell_spread_rad = 0.26179938779914943;
     /// T, the period after which the sea repeats exactly; [0.1, 86400].
     double loop_period_s = 200;
-    /// Seed of the random phases and amplitudes.
-    std::uint32_t seed = 1;
+    std::uint32_t seed = 1;  ///< seed of the random phases and amplitudes
     /// Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves.
     int wave_count = 0;
     /// Longest wavelength of an analytic sea or a pond; [0.02, 1000]. 0: 120, of a pond 1.2.
@@ -128,8 +125,7 @@ struct SeaState {
     /// Significant wave height of an analytic sea or a pond; [0, 30]. -1: from wave_strength, of a
     /// pond 0.017 longest_wave_m. Of a pond it is above 0.
     double wave_height_m = -1;
-    /// Horizontal drag of a pond's short waves by its long ones; [0, 1].
-    double wave_drag = 0.38;
+    double wave_drag = 0.38;  ///< horizontal drag of a pond's short waves by its long ones; [0, 1]
     // end of generated
 };
 

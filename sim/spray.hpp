@@ -51,42 +51,24 @@ struct SprayDroplet {
 /// Droplets that leave a ball at once, for instance at the bow of a ship.
 struct SprayEmitter {
     // generated from schema/spray_emitter.toml: members
-    /// Time at which they leave; [-1e9, 1e9].
-    double time_s = 0;
-    /// Centre of the ball; [-1e8, 1e8].
-    double x_m = 0;
-    /// Centre of the ball; [-1e8, 1e8].
-    double y_m = 0;
-    /// Centre of the ball; [-1e8, 1e8].
-    double z_m = 0;
-    /// Radius of the ball; [0, 100].
-    double extent_m = 0;
+    double time_s = 0;                 ///< time at which they leave; [-1e9, 1e9]
+    double x_m = 0, y_m = 0, z_m = 0;  ///< centre of the ball; [-1e8, 1e8]
+    double extent_m = 0;               ///< radius of the ball; [0, 100]
     /// Mean velocity; [-100, 100].
-    double velocity_x_mps = 0;
-    /// Mean velocity; [-100, 100].
-    double velocity_y_mps = 0;
-    /// Mean velocity; [-100, 100].
-    double velocity_z_mps = 0;
-    /// Largest deviation from the mean velocity; [0, 100].
-    double spread_mps = 0;
-    /// Radius of a droplet as it leaves; [0.001, 1].
-    double radius_m = 0.05;
-    /// Diameter of drops, which sets the drag; [0.1, 5].
-    double drop_mm = 1;
-    /// Number of droplets; [0, 8192].
-    int count = 1;
+    double velocity_x_mps = 0, velocity_y_mps = 0, velocity_z_mps = 0;
+    double spread_mps = 0;   ///< largest deviation from the mean velocity; [0, 100]
+    double radius_m = 0.05;  ///< radius of a droplet as it leaves; [0.001, 1]
+    double drop_mm = 1;      ///< diameter of drops, which sets the drag; [0.1, 5]
+    int count = 1;           ///< number of droplets; [0, 8192]
     // end of generated
 };
 
 /// Spray of an ocean (OceanOptions::spray).
 struct SprayOptions {
     // generated from schema/spray_options.toml: members
-    /// Spray leaves crests within this distance of the centre; [10, 200].
-    double reach_m = 80;
-    /// Factor on the number of droplets of crests; [0, 10].
-    double amount = 1;
-    /// Seed of the droplets.
-    std::uint32_t seed = 1;
+    double reach_m = 80;     ///< spray leaves crests within this distance of the centre; [10, 200]
+    double amount = 1;       ///< factor on the number of droplets of crests; [0, 10]
+    std::uint32_t seed = 1;  ///< seed of the droplets
     // end of generated
 };
 

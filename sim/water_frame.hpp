@@ -16,12 +16,9 @@ namespace pelagic {
 /// A sea level, for instance of a tide, and a uniform current.
 struct WaterFrame {
     // generated from schema/water_frame.toml: members
-    /// Height of still water; [-1000, 1000].
-    double sea_level_m = 0;
-    /// Velocity of the water along x; [-10, 10].
-    double current_x_mps = 0;
-    /// Velocity of the water along z; [-10, 10].
-    double current_z_mps = 0;
+    double sea_level_m = 0;    ///< height of still water; [-1000, 1000]
+    double current_x_mps = 0;  ///< velocity of the water along x; [-10, 10]
+    double current_z_mps = 0;  ///< velocity of the water along z; [-10, 10]
     // end of generated
 
     /// A position in the world.

@@ -14,20 +14,13 @@ namespace pelagic::gl {
 
 struct SkyOptions {
     // generated from schema/sky.toml: members
-    /// From +x towards +z; a finite number.
-    float sun_azimuth_rad = 0.6f;
-    /// Above the horizon; [-pi/2, pi/2].
-    float sun_elevation_rad = 0.45f;
-    /// Fraction of the sky that clouds cover; [0, 1].
-    float cloud_cover = 0.35f;
-    /// Distance at which contrast falls to 2 %; [500, 300e3].
-    float visibility_m = 40e3f;
-    /// Seed of the clouds.
-    std::uint32_t cloud_seed = 4;
-    /// If false, the moon is full and opposite the sun.
-    bool places_moon = false;
-    /// From +x towards +z; a finite number.
-    float moon_azimuth_rad = 0;
+    float sun_azimuth_rad = 0.6f;     ///< from +x towards +z; a finite number
+    float sun_elevation_rad = 0.45f;  ///< above the horizon; [-pi/2, pi/2]
+    float cloud_cover = 0.35f;        ///< fraction of the sky that clouds cover; [0, 1]
+    float visibility_m = 40e3f;       ///< distance at which contrast falls to 2 %; [500, 300e3]
+    std::uint32_t cloud_seed = 4;     ///< seed of the clouds
+    bool places_moon = false;         ///< if false, the moon is full and opposite the sun
+    float moon_azimuth_rad = 0;       ///< from +x towards +z; a finite number
     /// Above the horizon; the phase follows from the sun's position; [-pi/2, pi/2].
     float moon_elevation_rad = 0;
     // end of generated

@@ -1,4 +1,5 @@
 """The regions that options.py writes: each takes a Schema and gives lines without their indentation."""
+import itertools
 import re
 import textwrap
 
@@ -61,11 +62,31 @@ def cpp_type(option):
 def cpp_fields(schema):
     """The members of a struct."""
     lines = []
-    for option in schema.options:
-        if option.is_in("C++"):
-            lines += wrapped(description(option), "/// ")
-            lines.append(f"{cpp_type(option)} {option.name} = {cpp_default(option)};")
-    return lines
+    options = [option for option in schema.options if option.is_in("C++")]
+    for (type_, text), alike in itertools.groupby(options, lambda option: (cpp_type(option), description(option))):
+        member = f"{type_} {', '.join(f'{option.name} = {cpp_default(option)}' for option in alike)};"
+        lines += with_comment(member, text, f"  ///< {beside(text)}", wrapped(text, "/// "))
+    return aligned(lines, "  ///< ")
+
+
+def aligned(lines, mark):
+    """Lines whose comments begin in one column in each run of lines that have one."""
+    result = []
+    for has_mark, run in itertools.groupby(lines, lambda line: mark in line):
+        parts = [line.split(mark) for line in run]
+        column = max(len(part[0]) for part in parts)
+        result += [f"{code:{column}}{mark}{comment[0]}" if has_mark else code for code, *comment in parts]
+    return result
+
+
+def beside(text):
+    """A description as it stands on the line of its member: without capital and full stop."""
+    return (text[0].lower() if text[1].islower() else text[0]) + text[1:].rstrip(".")
+
+
+def with_comment(member, text, after, above):
+    """A member with its description on its line, if that is one sentence and fits, else above it."""
+    return [member + after] if len(member + after) < COMMENT_WIDTH and ". " not in text else [*above, member]
 
 
 PI_IN_CPP = {"-2 pi": "-two_pi", "2 pi": "two_pi", "pi/180": "two_pi / 360", "4 pi/9": "2 * two_pi / 9",
@@ -116,8 +137,9 @@ def cpp_enums(schema):
         else:
             lines.append(f"enum class {enum.name} {{ {', '.join(enum.cpp_values())} }};")
         lines += ["template <>", f"struct EnumNames<{enum.name}> {{"]
-        lines += [f"    static constexpr std::array<std::string_view, {len(enum.values)}> all = {{" +
-                  ", ".join(f'"{name}"' for name, _ in enum.values) + "};", "};"]
+        array, names = f"    static constexpr std::array<std::string_view, {len(enum.values)}> all = {{", ", ".join(f'"{name}"' for name, _ in enum.values)
+        lines += [f"{array}{names}}};"] if len(array + names) < CODE_WIDTH else [array, f"        {names}}};"]
+        lines.append("};")
     return lines
 
 
@@ -180,12 +202,15 @@ def c_options(schema):
 def c_fields(schema):
     """The members of a C struct after struct_size."""
     lines = []
-    for option in c_options(schema):
-        text = description(option, also=c_default_of(option) if option.derived_value is None else None)
-        if option.enum:
-            text = f"{option.enum.c}...; " + text[0].lower() + text[1:]
-        lines += c_comment(text) + [f"{C_TYPES[option.type]} {option.name};"]
+    for (type_, text), options in itertools.groupby(c_options(schema), lambda option: (C_TYPES[option.type], c_description(option))):
+        member = f"{type_} {', '.join(option.name for option in options)};"
+        lines += with_comment(member, text, f" /* {beside(text)} */", c_comment(text))
     return lines
+
+
+def c_description(option):
+    text = description(option, also=c_default_of(option) if option.derived_value is None else None)
+    return f"{option.enum.c}...; " + text[0].lower() + text[1:] if option.enum else text
 
 
 def c_enums(schema):
