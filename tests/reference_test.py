@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Builds the API reference and checks that every function of the C and C++ interface has a comment.
-Destructors, copies and moves need none.
+"""Builds the API reference and checks that every function of the C and C++ interface has a comment,
+and that the functions of the C interface are grouped by object. Destructors, copies and moves need
+no comment.
 
 usage: reference_test.py CMAKE BUILD_FOLDER
 """
@@ -46,6 +47,18 @@ for index, name in (("globals_func.html", "pelagic_ocean_create"), ("globals_fun
     found = re.search(rf'>{name}\(\)(?:&#160;:|:|</a>).*?href="([^"#]+)#(\w+)"', text)
     assert found, f"{index} lacks {name}"
     assert f'id="{found[2]}"' in (html / found[1]).read_text(), f"{found[1]} lacks {name}"
-print(f"{len(documented)} functions are documented")
+
+# Each function that the shared library exports is in one group of the C interface, that of its object.
+GROUPS_OF_OBJECTS = {"sea": "The sea", "executor": "Executors", "dynamic_waves": "Dynamic waves", "input": "Wave inputs", "hull": "Hulls",
+                     "bodies": "Floating bodies"}
+exported = (pathlib.Path(__file__).parent / "abi/pelagic.symbols").read_text().split()
+groups = dict(re.findall(r'href="(group__c\w*\.html)"[^>]*>([^<]+)</a>', (html / "modules.html").read_text()))
+headings = {title: re.findall(r"</span>(pelagic_\w+)\(\)</h2>", (html / page).read_text()) for page, title in groups.items()}
+for name in exported:
+    found = [title for title, functions in headings.items() if name in functions]
+    assert len(found) == 1, f"{name} is in the groups {found}, expected one"
+    for name_part, title in GROUPS_OF_OBJECTS.items():
+        assert found == [title] or not name.startswith(f"pelagic_{name_part}_"), f"{name} is in {found[0]}, expected {title}"
+print(f"{len(documented)} functions are documented; C functions are in {len(groups)} groups")
 if missing:
     sys.exit("no comment:\n" + "\n".join(sorted(missing)))
