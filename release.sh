@@ -2,7 +2,7 @@
 # Builds the packages of the current commit into dist/, from a clean clone, and tests each of them:
 #
 #   ./release.sh              all parts
-#   ./release.sh PART...      some: debian linux arm64 windows python blender npm godot unity
+#   ./release.sh PART...      some: debian linux arm64 windows python blender npm godot3 unity
 #   ./release.sh --twice ...  builds them again in another folder, and compares the bytes
 #
 # Needs Debian 12, and root, because some packages are tested in fresh systems. Installs missing
@@ -15,7 +15,7 @@ cd "$(dirname "$0")"
 twice=
 [ "${1:-}" != --twice ] || { twice=1 && shift; }
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot unity)
+[ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot3 unity)
 
 packages=(git python3)
 earlier=
@@ -31,12 +31,12 @@ for part in "${parts[@]}"; do
       packages+=("${pelagic_web_packages[@]}")
       command -v npm >/dev/null || packages+=(npm)
       ;;
-    godot) packages+=(godot3-server unzip) ;;
+    godot3) packages+=(godot3-server unzip) ;;
     unity)
       packages+=(mono-mcs mono-runtime unzip)
       [[ $earlier == *" linux "* && $earlier == *" windows "* ]] || { echo "release.sh: unity needs the parts linux and windows before it" >&2 && exit 2; }
       ;;
-    *) echo "release.sh: unknown part $part, accepted: debian linux arm64 windows python blender npm godot unity" >&2 && exit 2 ;;
+    *) echo "release.sh: unknown part $part, accepted: debian linux arm64 windows python blender npm godot3 unity" >&2 && exit 2 ;;
   esac
   earlier+=" $part "
 done

@@ -34,10 +34,9 @@ pelagic_packages=(
 pelagic_test_packages=(ccache lld xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3 groff-base
                        openxr-layer-corevalidation pybind11-dev python3-dev python3-numpy)
 
-# Packages for the gate: clang with its sanitizers and libFuzzer; Doxygen, for the API reference; a
-# game engine, with a window (for xvfb-run, which needs xauth) and without; mono and its compiler of
-# C#, and a translator of shaders; what the Python package's tests need; Blender.
-pelagic_gate_packages=(clang libclang-rt-14-dev doxygen godot3 godot3-server xauth mono-mcs mono-runtime spirv-cross)
+# Packages for the gate: clang with its sanitizers and libFuzzer; Doxygen, for the API reference; mono
+# and its compiler of C#, and a translator of shaders; what the Python package's tests need; Blender.
+pelagic_gate_packages=(clang libclang-rt-14-dev doxygen mono-mcs mono-runtime spirv-cross)
 pelagic_gate_packages+=(python3-venv python3-matplotlib python3-pytest mypy blender)
 
 # Packages for other platforms: the C++ library of headsets, a compiler and an emulator for 64-bit
@@ -51,9 +50,10 @@ command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 pelagic_platform_packages=("${pelagic_arm64_packages[@]}" "${pelagic_windows_packages[@]}" "${pelagic_web_packages[@]}" chromium)
 command -v npm >/dev/null || pelagic_platform_packages+=(npm)
 
-# Packages for nightly tests: schedulers of docs/render-farm.md, and readers of textures and films
-# of docs/integrations/unity.md.
-pelagic_night_packages=(slurm-wlm parallel python3-yaml procps libnvtt-bin ffmpeg python3-pil python3-openimageio)
+# Packages for nightly tests: a game engine, with a window (for xvfb-run, which needs xauth) and
+# without; schedulers of docs/render-farm.md, and readers of textures and films of
+# docs/integrations/unity.md.
+pelagic_night_packages=(godot3 godot3-server xauth slurm-wlm parallel python3-yaml procps libnvtt-bin ffmpeg python3-pil python3-openimageio)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   packages in addition to pelagic_packages
 pelagic_install_dependencies() {

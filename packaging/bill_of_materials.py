@@ -54,7 +54,7 @@ CONTENTS = [
     (r"pelagic-[\d.]+-windows-x86_64\.zip", [*LIBRARY, *COMMAND, *WINDOWS]),
     (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", [*LIBRARY, "pybind11"]),
     (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "dlmalloc", "libc++"]),
-    (r"pelagic-godot-.*\.zip", LIBRARY),
+    (r"pelagic-godot3-.*\.zip", LIBRARY),
     (r"com\.pelagic\.ocean-.*\.tgz", [*LIBRARY, *WINDOWS]),
 ]
 # Builds of build.sh, with patterns of the files made there.

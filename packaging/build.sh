@@ -44,11 +44,11 @@ build_linux() {
   pack build/linux
 }
 
-build_godot() {
+build_godot3() {
   configure_linux
-  cmake --build build/linux --target pelagic_godot
-  cp LICENSE NOTICE build/linux/godot/addons/pelagic
-  "$packaging/artefact.py" zip "$out/pelagic-godot-$version-linux-x86_64.zip" build/linux/godot addons
+  cmake --build build/linux --target pelagic_godot3
+  cp LICENSE NOTICE build/linux/godot3/addons/pelagic
+  "$packaging/artefact.py" zip "$out/pelagic-godot3-$version-linux-x86_64.zip" build/linux/godot3 addons
 }
 
 build_arm64() {

@@ -152,9 +152,9 @@ test_npm() {
   )
 }
 
-test_godot() {
-  local zip=$dist/pelagic-godot-$version-linux-x86_64.zip answer
-  check godot "$zip"
+test_godot3() {
+  local zip=$dist/pelagic-godot3-$version-linux-x86_64.zip answer
+  check godot3 "$zip"
   "$packaging/artefact.py" glibc "$newest_glibc" "$zip"
   mkdir "$work/my_game"
   touch "$work/my_game/project.godot"
