@@ -152,9 +152,9 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         all.wind_sea_peak_period_s = wind_sea.peak_period_s;
         all.swell_height_m = swell.significant_wave_height_m;
         all.swell_peak_period_s = swell.peak_period_s;
-        all.realised_wind_sea_peak_period_s = wind_sea.realised_peak_period_s;
-        all.realised_swell_peak_period_s = swell.realised_peak_period_s;
-        all.effective_fetch_m = report.effective_fetch_m;
+        all.realised_wind_sea_peak_period_s = wind_sea.realised_peak_period_s.value_or(0);
+        all.realised_swell_peak_period_s = swell.realised_peak_period_s.value_or(0);
+        all.effective_fetch_m = report.effective_fetch_m.value_or(0);
         all.repeats_after_m = repeat_length_m(state);
         write_struct(all, statistics);
     });

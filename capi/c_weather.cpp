@@ -1,5 +1,6 @@
 // C interface of forecasts.
 #include <cstddef>
+#include <optional>
 
 #include "pelagic/capi/c_ocean.hpp"
 #include "pelagic/capi/c_sea.hpp"
@@ -11,16 +12,19 @@
 namespace pelagic::capi {
 namespace {
 
+/// Returns an option whose value 0 means that it is not set.
+std::optional<double> unless_0(double value) { return value == 0 ? std::nullopt : std::optional(value); }
+
 SeaChange change_of(const pelagic_change& change) {
     return {.sea = sea_of(change.sea),
             .from_s = change.from_s,
             .over_s = change.over_s,
-            .swell_from_m = change.swell_from_m};
+            .swell_from_m = unless_0(change.swell_from_m)};
 }
 
 Forecast forecast_of(const pelagic_forecast* pointer) {
     const pelagic_forecast from = read_struct(pointer, "forecast");
-    Forecast forecast{.first = sea_of(from.first), .largest_peak_m = from.largest_peak_m};
+    Forecast forecast{.first = sea_of(from.first), .largest_peak_m = unless_0(from.largest_peak_m)};
     if (from.change_count > 0)
         read_structs(from.changes, from.change_count, "changes",
                      [&](const pelagic_change& change, auto&) { forecast.changes.push_back(change_of(change)); });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "pelagic/message/invalid_value_message.hpp"
 
@@ -26,14 +25,18 @@ constexpr Field fields[] = {
     {"vertices", &QuadtreeOptions::vertices, 2, 128, "an even number from 2 to 128", Restriction::even},
     {"lod_scale", &QuadtreeOptions::lod_scale, 0.75, 8, "[0.75, 8]"},
     {"cull_scale", &QuadtreeOptions::cull_scale, 1, 4, "[1, 4]"},
-    {"batch_limit", &QuadtreeOptions::batch_limit, 0, 2147483647, "0 or more"},
     {"finest_patch_m", &QuadtreeOptions::finest_patch_m, 16, 64, "[16, 64]"},
     // end of generated
 };
 
 }  // namespace
 
-std::string check(const QuadtreeOptions& options) { return check_fields(options, fields); }
+std::string check(const QuadtreeOptions& options) {
+    if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
+    if (const auto limit = options.batch_limit; limit && *limit < 1)
+        return invalid_value_message("batch_limit", *limit, "1 or more");
+    return {};
+}
 
 int deepest_level(double size_m, double finest_patch_m) {
     return std::clamp(static_cast<int>(std::floor(std::log2(size_m / finest_patch_m) + 0.5)), 2, 8);

@@ -46,7 +46,7 @@ Selection::Selection(const QuadtreeOptions& options) : options_(checked(options)
     list_.instances.reserve(levels_.max_patches());
     found_.reserve(levels_.max_patches());
     list_.batches.reserve(
-        16 + (options_.batch_limit > 0 ? levels_.max_patches() / static_cast<std::size_t>(options_.batch_limit) : 0));
+        16 + (options_.batch_limit ? levels_.max_patches() / static_cast<std::size_t>(*options_.batch_limit) : 0));
     list_.skirt.reserve(4 * static_cast<std::size_t>(levels_.width()));
     stack_.reserve(4 + 3 * static_cast<std::size_t>(levels_.deepest_level()));
     culling_.reserve(max_views);
@@ -179,7 +179,7 @@ void Selection::sort_into_batches() {
 
     list_.batches.clear();
     const std::size_t limit =
-        options_.batch_limit > 0 ? static_cast<std::size_t>(options_.batch_limit) : found_.size();
+        options_.batch_limit ? static_cast<std::size_t>(*options_.batch_limit) : found_.size();
     for (std::uint8_t s = 0; s < 16; ++s) {
         for (std::uint32_t first = start[s]; first < start[s + 1u];) {
             const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(limit, start[s + 1u] - first));

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ struct SeaChange {
     double from_s = 0;  ///< start
     double over_s = 0;  ///< duration; (0, 1e9]
     /// Distance to the origin of the swell, whose waves are all raised there at one moment; [1e3,
-    /// 2e7], or 0: all waves change together. The sea must have a swell. Long waves arrive first,
+    /// 2e7]. Unset: all waves change together. The sea must have a swell. Long waves arrive first,
     /// by their group velocities cg = d omega / d k, and each changes over over_s:
     ///
     ///   begin(omega) = from_s + swell_from_m (1 / cg(omega) - 1 / cg(omega of 1.5 swell periods))
@@ -37,7 +38,7 @@ struct SeaChange {
     /// shorter than a third of the peak period also begin with the waves of that period. Waves of
     /// one of the loop's frequencies begin together; from its 32nd harmonic on, those of one of
     /// sixteen bands an octave.
-    double swell_from_m = 0;
+    std::optional<double> swell_from_m = {};
 
     /// Returns the time at which the last waves have changed.
     double end_s() const;
@@ -59,8 +60,8 @@ struct Forecast {
     /// In order of time; each begins after the preceding one has ended.
     std::vector<SeaChange> changes = {};
     /// Longest peak wavelength that the cascades can hold, which limits seas that are scheduled
-    /// later; (0, 1e5]. 0: the longest of these seas. Ignored if patch_size_m is set.
-    double largest_peak_m = 0;
+    /// later; (0, 1e5]. Unset: the longest of these seas. Ignored if patch_size_m is set.
+    std::optional<double> largest_peak_m = {};
 
     /// Returns the first sea for 0, and that of changes[i - 1] for i. \pre number <= changes.size()
     const SeaState& sea(std::size_t number) const { return number == 0 ? first : changes[number - 1].sea; }

@@ -108,7 +108,8 @@ struct WaveSystem {
     double significant_wave_height_m = 0;
     double realised_significant_wave_height_m = 0;
     double peak_period_s = 0;        ///< of the maximum of this system's frequency spectrum
-    double realised_peak_period_s = 0;  ///< of this seed; 0 if the grid holds no waves of the system
+    /// Of this seed; none if the grid holds no waves of the system.
+    std::optional<double> realised_peak_period_s = {};
 };
 
 /// Slope variance of the waves that a cascade holds, mean over all seeds. Its texels do not resolve
@@ -132,9 +133,9 @@ struct SeaReport {
     double expected_convergence_variance = 0, realised_convergence_variance = 0;
     WaveDirections expected_directions;
     WaveDirections realised_directions;  ///< of this seed's waves
-    /// Fetch that has an effect (jonswap), metres; 0 for other models. Less than SeaState::fetch_m
-    /// if the sea is fully developed.
-    double effective_fetch_m = 0;
+    /// Fetch that has an effect (jonswap), metres; none for other models. Less than
+    /// SeaState::fetch_m if the sea is fully developed.
+    std::optional<double> effective_fetch_m = {};
     std::vector<CascadeSlopes> cascades;
     LoopFrequencies loop_frequencies = {};
     std::vector<std::string> warnings;  ///< warnings_about()

@@ -165,9 +165,9 @@ TEST(CInterfaceInside, StatisticsEqualThoseOfTheCppInterface) {
     EXPECT_EQ(of.wind_sea_peak_period_s, report.wind_sea->peak_period_s);
     EXPECT_EQ(of.swell_height_m, report.swell->significant_wave_height_m);
     EXPECT_EQ(of.swell_peak_period_s, 12);
-    EXPECT_EQ(of.realised_wind_sea_peak_period_s, report.wind_sea->realised_peak_period_s);
-    EXPECT_EQ(of.realised_swell_peak_period_s, report.swell->realised_peak_period_s);
-    EXPECT_EQ(of.effective_fetch_m, report.effective_fetch_m);
+    EXPECT_EQ(of.realised_wind_sea_peak_period_s, report.wind_sea->realised_peak_period_s.value());
+    EXPECT_EQ(of.realised_swell_peak_period_s, report.swell->realised_peak_period_s.value());
+    EXPECT_EQ(of.effective_fetch_m, report.effective_fetch_m.value());
     EXPECT_EQ(of.repeats_after_m, repeat_length_m(state));
 
     ASSERT_EQ(pelagic_sea_preset("pond", &sea), PELAGIC_OK);

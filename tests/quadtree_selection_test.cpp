@@ -322,7 +322,7 @@ TEST(SelectionInput, NamesOptionsOutOfRange) {
     expect_rejected({.lod_scale = 0.5}, "lod_scale 0.5 is out of range [0.75, 8]");
     expect_rejected({.lod_scale = nan}, "lod_scale nan is out of range [0.75, 8]");
     expect_rejected({.cull_scale = 0.9}, "cull_scale 0.9 is out of range [1, 4]");
-    expect_rejected({.batch_limit = -1}, "batch_limit is -1, expected 0 or more");
+    expect_rejected({.batch_limit = 0}, "batch_limit is 0, expected 1 or more");
     expect_rejected({.finest_patch_m = 8}, "finest_patch_m 8 is out of range [16, 64]");
 }
 

@@ -239,11 +239,12 @@ TEST(SeaReport, PeaksOfWindSeaAndSwellAreSeparate) {
         SeaState drawn = sea;
         drawn.seed = seed;
         const SeaReport one = report_on(drawn);
-        EXPECT_NEAR(one.swell->realised_peak_period_s, 14, 14.0 / 8) << seed;
-        EXPECT_NEAR(one.wind_sea->realised_peak_period_s, one.wind_sea->peak_period_s,
-                    one.wind_sea->peak_period_s / 8);
-        swell_s += one.swell->realised_peak_period_s / 8;
-        wind_s += one.wind_sea->realised_peak_period_s / 8;
+        const double of_swell_s = one.swell->realised_peak_period_s.value();
+        const double of_wind_s = one.wind_sea->realised_peak_period_s.value();
+        EXPECT_NEAR(of_swell_s, 14, 14.0 / 8) << seed;
+        EXPECT_NEAR(of_wind_s, one.wind_sea->peak_period_s, one.wind_sea->peak_period_s / 8);
+        swell_s += of_swell_s / 8;
+        wind_s += of_wind_s / 8;
     }
     EXPECT_NEAR(swell_s, 14, 0.06 * 14);
     EXPECT_NEAR(wind_s, of_wind.expected.peak_period_s, 0.06 * of_wind.expected.peak_period_s);
@@ -259,10 +260,10 @@ TEST(SeaReport, PeaksOfWindSeaAndSwellAreSeparate) {
 
 TEST(SeaReport, EffectiveFetchEndsAtAFullyDevelopedSea) {
     EXPECT_EQ(report_on({.resolution = 16, .patch_size_m = 250}).effective_fetch_m, 100e3);
-    EXPECT_NEAR(report_on({.resolution = 16, .patch_size_m = 250, .wind_speed_mps = 3}).effective_fetch_m,
+    EXPECT_NEAR(report_on({.resolution = 16, .patch_size_m = 250, .wind_speed_mps = 3}).effective_fetch_m.value(),
                 17000 * 9 / oracle::gravity, 1e-6);
-    EXPECT_EQ(
-        report_on({.spectrum = SpectrumModel::phillips, .resolution = 16, .patch_size_m = 250}).effective_fetch_m, 0);
+    EXPECT_FALSE(
+        report_on({.spectrum = SpectrumModel::phillips, .resolution = 16, .patch_size_m = 250}).effective_fetch_m);
 }
 
 // The function that returns only the square agrees with the square of the full draw.

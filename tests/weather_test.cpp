@@ -463,7 +463,7 @@ struct Turn {
     std::string name;
     SeaState before, after;
     double over_s;
-    double swell_from_m = 0;
+    std::optional<double> swell_from_m = {};
 };
 
 class WeatherMoves : public testing::TestWithParam<Turn> {};

@@ -25,11 +25,14 @@ FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
     return std::make_shared<FrameHandle>(FrameHandle{ocean, made.number, made.frame});
 }
 
+/// Returns an option whose value 0 means that it is not set.
+std::optional<double> unless_0(double value) { return value == 0 ? std::nullopt : std::optional(value); }
+
 OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, std::optional<bool> gradients,
                         std::optional<bool> slopes, int threads, const std::optional<std::string>& isa,
                         double largest_peak_m, py::handle dynamic_waves, py::handle shore, py::handle inputs,
                         bool planes, py::handle spray) {
-    const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = largest_peak_m};
+    const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = unless_0(largest_peak_m)};
     require(check(forecast.first));
     OceanOptions options{.queries = queries,
                          .velocities = velocities,
@@ -101,7 +104,7 @@ OceanPointer entered(const OceanPointer& ocean) {
 
 void schedule_sea(SharedOcean& ocean, py::handle sea, double from_s, double over_s, double swell_from_m) {
     const SeaChange change{
-        .sea = sea_state_of(sea), .from_s = from_s, .over_s = over_s, .swell_from_m = swell_from_m};
+        .sea = sea_state_of(sea), .from_s = from_s, .over_s = over_s, .swell_from_m = unless_0(swell_from_m)};
     const py::gil_scoped_release others_run;
     ocean.schedule_sea(change);
 }

@@ -7,7 +7,7 @@
 namespace pelagic {
 
 Arrival::Arrival(const SeaChange& change) : over_s_(change.over_s) {
-    const SwellArrival swell(change.sea, change.swell_from_m);
+    const SwellArrival swell(change.sea, change.swell_from_m.value());
     const double loop_s = change.sea.loop_period_s;
     delays_s_.resize(harmonic_band(loop_harmonic(swell.last_omega(), loop_s)) + 1);
     for (std::size_t band = 0; band < bands(); ++band)

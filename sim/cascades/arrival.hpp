@@ -13,7 +13,7 @@ namespace pelagic {
 
 class Arrival {
    public:
-    /// \pre change.swell_from_m > 0, and a forecast with it passes check()
+    /// \pre change.swell_from_m is set, and a forecast with the change passes check()
     explicit Arrival(const SeaChange& change);
 
     /// Returns the number of bands with their own delay. Higher bands arrive with the last one.

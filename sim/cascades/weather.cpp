@@ -42,7 +42,7 @@ Weather::Weather(const Forecast& forecast) : next_{.forecast = forecast} {
 void Weather::Outlook::find_arrivals() {
     arrivals.clear();
     for (const SeaChange& change : forecast.changes)
-        arrivals.push_back(change.swell_from_m > 0 ? std::optional<Arrival>(change) : std::nullopt);
+        arrivals.push_back(change.swell_from_m ? std::optional<Arrival>(change) : std::nullopt);
 }
 
 void Weather::add(const SeaChange& change) {

@@ -57,13 +57,13 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     return {};
 }
 
-std::string too_long(const std::string& prefix, const SeaState& sea, double largest_peak_m) {
-    if (largest_peak_m == 0) return {};  // skip the search for the peak, which is expensive
+std::string too_long(const std::string& prefix, const SeaState& sea, std::optional<double> largest_peak_m) {
+    if (!largest_peak_m) return {};  // skip the search for the peak, which is expensive
     const double peak_m = WaveReach::of(sea).peak_m;
-    if (peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
+    if (peak_m <= *largest_peak_m * (1 + peak_tolerance)) return {};
     return invalid_value_message(
         prefix + "peak_wavelength_m", peak_m,
-        "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
+        "at most " + number_text(*largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
 }
 
 double number_between(double before, double after, double weight) {
@@ -85,7 +85,7 @@ double direction_between(double before, double after, double weight) {
 
 double SeaChange::end_s() const {
     const double over = from_s + over_s;
-    return swell_from_m > 0 ? over + SwellArrival(sea, swell_from_m).span_s() : over;
+    return swell_from_m ? over + SwellArrival(sea, *swell_from_m).span_s() : over;
 }
 
 ForecastMoment Forecast::at(double time_s) const {
@@ -96,10 +96,10 @@ ForecastMoment Forecast::at(double time_s) const {
     if (number == 0) return {};
     const SeaChange& change = changes[number - 1];
     const double since_s = time_s - change.from_s;
-    if (change.swell_from_m > 0) {
+    if (change.swell_from_m) {
         if (since_s <= 0) return {number - 1, number - 1, 0};
         if (time_s >= change.end_s()) return {number, number, 0};
-        const SwellArrival swell(change.sea, change.swell_from_m);
+        const SwellArrival swell(change.sea, *change.swell_from_m);
         return {number - 1, number, eased_fraction(since_s - swell.delay_of_peak_s(), change.over_s)};
     }
     const double weight = eased_fraction(since_s, change.over_s);
@@ -119,9 +119,9 @@ void keep_constant_fields(SeaState& sea, const SeaState& first) {
 
 std::string check(const Forecast& forecast) {
     if (const std::string reason = check(forecast.first); !reason.empty()) return "first sea: " + reason;
-    const double largest_m = forecast.largest_peak_m;
-    if (!(largest_m >= 0 && largest_m <= max_peak_m))
-        return invalid_value_message("largest_peak_m", largest_m, "(0, 1e5], or 0: chosen");
+    const std::optional<double> largest_m = forecast.largest_peak_m;
+    if (largest_m && !(*largest_m > 0 && *largest_m <= max_peak_m))
+        return invalid_value_message("largest_peak_m", *largest_m, "(0, 1e5]");
     if (std::string reason = too_long("first sea: ", forecast.first, largest_m); !reason.empty()) return reason;
     double over_s = -max_time_s;  // end of the previous change
     for (std::size_t i = 0; i < forecast.changes.size(); ++i) {
@@ -135,13 +135,13 @@ std::string check(const Forecast& forecast) {
             return reason;
         if (!(change.over_s > 0 && change.over_s <= longest_change_s))
             return invalid_value_message(of_change("over_s", number), change.over_s, "(0, 1e9]");
-        if (const double afar = change.swell_from_m;
-            afar != 0 && !(afar >= min_swell_from_m && afar <= max_swell_from_m))
-            return invalid_value_message(of_change("swell_from_m", number), afar,
-                                         "[1e3, 2e7], or 0: all waves change together");
-        if (change.swell_from_m > 0 && change.sea.swell_height_m == 0)
-            return invalid_value_message(of_change("swell_from_m", number), change.swell_from_m,
-                                         "0 where the sea has no swell");
+        if (const std::optional<double> afar = change.swell_from_m) {
+            if (!(*afar >= min_swell_from_m && *afar <= max_swell_from_m))
+                return invalid_value_message(of_change("swell_from_m", number), *afar, "[1e3, 2e7]");
+            if (change.sea.swell_height_m == 0)
+                return invalid_value_message(of_change("swell_from_m", number), *afar,
+                                             "none where the sea has no swell");
+        }
         if (!(change.from_s >= over_s && change.from_s <= max_time_s))
             return invalid_value_message(
                 of_change("from_s", number), change.from_s,
@@ -162,7 +162,7 @@ WaveReach reach_of(const Forecast& forecast) { return reach_of(forecast, own_rea
 WaveReach reach_of(const Forecast& forecast, std::span<const WaveReach> own) {
     WaveReach reach;
     for (const WaveReach& sea : own) reach.extend_to(sea);
-    if (forecast.largest_peak_m > 0 && reach.peak_m > 0) reach.peak_m = forecast.largest_peak_m;
+    if (forecast.largest_peak_m && reach.peak_m > 0) reach.peak_m = *forecast.largest_peak_m;
     return reach;
 }
 

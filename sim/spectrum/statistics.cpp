@@ -282,7 +282,8 @@ void add_components(const SeaState& sea, std::span<const CascadePlan> plan, cons
         return WaveSystem{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
                           .realised_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, realised)),
                           .peak_period_s = peak_period_s,
-                          .realised_peak_period_s = realised > 0 ? peak_period_of(bands, sums.lowest_band_hz) : 0};
+                          .realised_peak_period_s =
+                              realised > 0 ? std::optional(peak_period_of(bands, sums.lowest_band_hz)) : std::nullopt};
     };
     std::vector<double> wind_bands = sums.bands;
     for (std::size_t band = 0; band < wind_bands.size(); ++band) wind_bands[band] -= sums.swell_bands[band];
@@ -295,7 +296,7 @@ void add_components(const SeaState& sea, std::span<const CascadePlan> plan, cons
     report.swell = component(sums.expected_swell, sums.realised_swell, sea.swell_period_s, sums.swell_bands);
     const double peak_s = report.expected.peak_period_s;
     const bool is_swells = std::fabs(sea.swell_period_s - peak_s) < std::fabs(wind_peak_s - peak_s);
-    report.realised_peak_period_s = (is_swells ? report.swell : report.wind_sea)->realised_peak_period_s;
+    report.realised_peak_period_s = (is_swells ? report.swell : report.wind_sea)->realised_peak_period_s.value_or(0);
 }
 
 LoopFrequencies loop_frequencies_from(const GridSums& sums) {

@@ -26,11 +26,11 @@ class Bytes : public pelagic::FuzzBytes {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Bytes bytes(data, size);
-    const pelagic::QuadtreeOptions options{.size_m = bytes.number(256, 8192),
-                                           .vertices = bytes.whole(),
-                                           .lod_scale = bytes.number(0.75, 8),
-                                           .cull_scale = bytes.number(1, 4),
-                                           .batch_limit = bytes.whole() - 2};
+    pelagic::QuadtreeOptions options{.size_m = bytes.number(256, 8192),
+                                     .vertices = bytes.whole(),
+                                     .lod_scale = bytes.number(0.75, 8),
+                                     .cull_scale = bytes.number(1, 4)};
+    if (const int limit = bytes.whole() - 2; limit != 0) options.batch_limit = limit;
     const bool is_usable = pelagic::check(options).empty();
     try {
         pelagic::Selection selection(options);
@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::size_t drawn = 0;
             for (const pelagic::DrawBatch& batch : list.batches) {
                 pelagic::must(batch.stitches < 16 && batch.count > 0 && batch.first == drawn);
-                pelagic::must(options.batch_limit == 0 || batch.count <= static_cast<std::uint32_t>(options.batch_limit));
+                pelagic::must(!options.batch_limit || batch.count <= static_cast<std::uint32_t>(*options.batch_limit));
                 drawn += batch.count;
             }
             pelagic::must(drawn == list.instances.size());

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -33,7 +34,7 @@ struct ExrPart {
     int levels = 1;
     std::vector<ExrLayer> layers;
     std::vector<ExrAttribute> attributes;
-    double frames_per_second = 0;  ///< 0: unknown
+    std::optional<double> frames_per_second;  ///< unset: unknown
 };
 
 struct ExrFile {

@@ -81,7 +81,7 @@ Imf::Header header_of(const ExrPart& part, const ExrFile& file) {
     for (const ExrLayer& layer : part.layers)
         for (const std::string& channel : layer.channels)
             header.channels().insert(channel, Imf::Channel(type_of(layer.sample)));
-    if (part.frames_per_second > 0) Imf::addFramesPerSecond(header, Imf::guessExactFps(part.frames_per_second));
+    if (part.frames_per_second) Imf::addFramesPerSecond(header, Imf::guessExactFps(*part.frames_per_second));
     for (const ExrAttribute& attribute : part.attributes)
         std::visit(
             [&](const auto& known) {

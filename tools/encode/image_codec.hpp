@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct ImageDescription {
     Sample sample;
     const char* colour_space;  ///< OpenImageIO's name
     const char* compression;   ///< OpenImageIO's name; null: the default of the format
-    int png_level = 0;         ///< zlib level, 1 to 9; 0: the default of the format
+    std::optional<int> png_level = {};  ///< zlib level, 1 to 9; unset: the default of the format
     /// the fourth channel is data, not coverage; others are not premultiplied
     bool has_unassociated_alpha = false;
 };

@@ -39,7 +39,7 @@ std::vector<unsigned char> encode(const ImageDescription& image, const void* pix
     ImageSpec spec(image.width, image.height, image.channels, type_of(image.sample));
     spec.attribute("oiio:ColorSpace", image.colour_space);
     if (image.compression) spec.attribute("compression", image.compression);
-    if (image.png_level > 0) spec.attribute("png:compressionLevel", image.png_level);
+    if (image.png_level) spec.attribute("png:compressionLevel", *image.png_level);
     if (image.has_unassociated_alpha) {
         spec.alpha_channel = 3;
         spec.attribute("oiio:UnassociatedAlpha", 1);

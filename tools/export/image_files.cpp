@@ -41,7 +41,7 @@ ImageDescription description_of(MapKind map, const TextureImage& image, const Ma
             .compression = is_png ? nullptr : name_of(options.compression).data(),
             // The default level of zlib for PNG, 6, takes four times as long for files 6 % smaller
             // (512 x 512, jonswap).
-            .png_level = is_png ? 2 : 0,
+            .png_level = is_png ? std::optional(2) : std::nullopt,
             // The alpha channel is smoothness, not coverage; otherwise OpenImageIO would divide the
             // normals by it.
             .has_unassociated_alpha = map == MapKind::gradient};

@@ -439,9 +439,10 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
                 from_s = number(-max_time_s, max_time_s, "seconds in [-1e9, 1e9]");
             else if (entry.key == "over")
                 over_s = number(0, max_time_s, "seconds in (0, 1e9]");
-            else if (entry.key == "swell_from")
-                change.swell_from_m = number(0, max_swell_from_m, "metres in [1e3, 2e7], or 0");
-            else if (entry.key == "preset") {
+            else if (entry.key == "swell_from") {
+                const double distance_m = number(0, max_swell_from_m, "metres in [1e3, 2e7], or 0");
+                if (distance_m > 0) change.swell_from_m = distance_m;
+            } else if (entry.key == "preset") {
                 apply_preset(change.sea, entry.value, option);
                 keep_constant_fields(change.sea.sea, first.sea);
             } else {

@@ -34,8 +34,8 @@ struct ResolvedSea {
 /// One sea-state transition.
 struct ResolvedChange {
     ResolvedSea sea;  ///< the sea after the transition
-    /// Start in seconds, duration in seconds, distance of the swell's origin in metres (0: none).
-    double from_s = 0, over_s = 0, swell_from_m = 0;
+    double from_s = 0, over_s = 0;         ///< start and duration
+    std::optional<double> swell_from_m = {};  ///< SeaChange::swell_from_m
 };
 
 /// Returns the forecast of the sea and its transitions.

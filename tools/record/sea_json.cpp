@@ -62,7 +62,7 @@ Json weather_as_json(const ResolvedSea& sea) {
     Json changes = Json::array();
     for (const ResolvedChange& change : sea.changes) {
         Json json = {{"from_s", change.from_s}, {"over_s", change.over_s}};
-        if (change.swell_from_m > 0) json["swell_from_m"] = change.swell_from_m;
+        if (change.swell_from_m) json["swell_from_m"] = *change.swell_from_m;
         json["sea"] = sea_as_json(change.sea);
         changes.push_back(std::move(json));
     }
@@ -178,11 +178,11 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report,
     const auto component = [&](const WaveSystem& of) -> Json {
         return {
             {"significant_wave_height_m", both(of.significant_wave_height_m, of.realised_significant_wave_height_m)},
-            {"peak_period_s", both(of.peak_period_s, of.realised_peak_period_s)}};
+            {"peak_period_s", both(of.peak_period_s, of.realised_peak_period_s.value_or(0))}};
     };
     if (report.wind_sea) json["wind_sea"] = component(*report.wind_sea);
     if (report.swell) json["swell"] = component(*report.swell);
-    if (report.effective_fetch_m > 0) json["effective_fetch_m"] = report.effective_fetch_m;
+    if (report.effective_fetch_m) json["effective_fetch_m"] = *report.effective_fetch_m;
     return json;
 }
 
