@@ -222,8 +222,8 @@ PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea
 PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
 
 /* Heights, periods and directions of a sea. Fields that begin with `expected` are means over all
- * seeds, of the waves that the cascades hold. Fields that begin with `drawn` belong to the waves of
- * this seed, as a mean over a loop. A value that a sea does not have is 0. */
+ * seeds, of the waves that the cascades hold. Fields that begin with `realised` belong to the waves
+ * of this seed, as a mean over a loop. A value that a sea does not have is 0. */
 typedef struct pelagic_statistics {
     uint32_t struct_size;
     uint32_t reserved;

@@ -137,9 +137,9 @@ class SurfaceQuery {
     /// Takes a position in the water.
     bool has_sample(double x, double z) const;
     /// Returns whether all positions have samples.
-    bool take(const SurfacePoints& points, PointChunk& chunk) const;
-    void hand_out(const SurfaceSamples& samples, const PointChunk& chunk) const;
-    void add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const;
+    bool load_positions(const SurfacePoints& points, PointChunk& chunk) const;
+    void write_samples(const SurfaceSamples& samples, const PointChunk& chunk) const;
+    void add_dynamic_waves_and_shore(const SurfaceSamples& samples, const PointChunk& chunk) const;
     void move_to_world(const SurfaceSamples& samples, const PointChunk& chunk) const;
     void remove_missing(const SurfacePoints& points, const SurfaceSamples& samples, const PointChunk& chunk) const;
 

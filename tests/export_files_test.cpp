@@ -494,7 +494,7 @@ TEST(Info, MarksMeasuredStatisticsAsNotMeasuredUnlessAskedForThem) {
     }
     EXPECT_NE(plain.find("--measured prints them"), std::string::npos);
     EXPECT_EQ(measured.find("not measured"), std::string::npos) << measured;
-    // Values that neither drawn waves nor a frame change are equal, digit by digit.
+    // Values that neither realised waves nor a frame change are equal, digit by digit.
     const std::vector<std::string> of_measured = lines_of(measured);
     for (const std::string& line : lines_of(plain))
         if (line.starts_with("  ") && line.find("not measured") == std::string::npos &&

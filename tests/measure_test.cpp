@@ -79,14 +79,14 @@ TEST(Measure, LoopHasTheSeedsSpectrum) {
     EXPECT_TRUE(found["frames"]["one_loop"].get<bool>());
     const double height = figure(found, "significant_wave_height_m");
     // Over a whole loop opposite waves are orthogonal, so the result does not depend on chance.
-    EXPECT_NEAR(height / figure(found, "significant_wave_height_m", "drawn"), 1, 1e-4);
+    EXPECT_NEAR(height / figure(found, "significant_wave_height_m", "realised"), 1, 1e-4);
     // One seed of a patch of three peak waves scatters by about a tenth.
     EXPECT_NEAR(height / figure(found, "significant_wave_height_m", "expected"), 1, 0.3);
-    EXPECT_NEAR(figure(found, "peak_period_s") / figure(found, "peak_period_s", "drawn"), 1, 0.05);
+    EXPECT_NEAR(figure(found, "peak_period_s") / figure(found, "peak_period_s", "realised"), 1, 0.05);
     EXPECT_NEAR(figure(found, "peak_wavelength_m") / figure(found, "peak_wavelength_m", "expected"), 1, 0.3);
     // Eight pairs of frames, which mix some opposite waves, give the direction within some degrees.
-    EXPECT_NEAR(figure(found, "mean_direction_deg"), figure(found, "mean_direction_deg", "drawn"), 3);
-    EXPECT_NEAR(figure(found, "directional_spread_deg"), figure(found, "directional_spread_deg", "drawn"), 3);
+    EXPECT_NEAR(figure(found, "mean_direction_deg"), figure(found, "mean_direction_deg", "realised"), 3);
+    EXPECT_NEAR(figure(found, "directional_spread_deg"), figure(found, "directional_spread_deg", "realised"), 3);
     // Parseval: both spectra hold the variance, except for the first and last band and the corners
     // beyond the last ring.
     const double variance = height * height / 16;
@@ -108,18 +108,18 @@ TEST(Measure, PeaksOfWindSeaAndSwellAreSeparate) {
                        "--seed",         "62", "--patch-size",      "1200", "--resolution",   "64",
                        "--loop-frames",  "400"});
     const json found = measured(folder / "out");
-    // Harmonics of the loop are 7 % apart at the swell's peak, and bands of the drawn spectrum are
+    // Harmonics of the loop are 7 % apart at the swell's peak, and bands of the realised spectrum are
     // 5 % wide.
     for (const char* part : {"wind_sea_peak_period_s", "swell_peak_period_s", "peak_period_s"})
-        EXPECT_NEAR(figure(found, part) / figure(found, part, "drawn"), 1, 0.12) << part;
+        EXPECT_NEAR(figure(found, part) / figure(found, part, "realised"), 1, 0.12) << part;
     EXPECT_NEAR(figure(found, "wind_sea_peak_period_s"), 7, 0.7);
     EXPECT_NEAR(figure(found, "swell_peak_period_s"), 14, 1.6) << "few waves of the patch make it";
     // The measurement uses 256 points of the patch; the seed's statistics use all points.
-    EXPECT_NEAR(figure(found, "tm01_s") / figure(found, "tm01_s", "drawn"), 1, 0.02);
-    EXPECT_NEAR(figure(found, "tm02_s") / figure(found, "tm02_s", "drawn"), 1, 0.02);
+    EXPECT_NEAR(figure(found, "tm01_s") / figure(found, "tm01_s", "realised"), 1, 0.02);
+    EXPECT_NEAR(figure(found, "tm02_s") / figure(found, "tm02_s", "realised"), 1, 0.02);
     // Rice: crossings of a Gaussian sea are sqrt(m0 / m2) apart. Half a second between frames
     // misses few of them.
-    EXPECT_NEAR(figure(found, "zero_crossing_period_s") / figure(found, "tm02_s", "drawn"), 1, 0.03);
+    EXPECT_NEAR(figure(found, "zero_crossing_period_s") / figure(found, "tm02_s", "realised"), 1, 0.03);
 }
 
 TEST(Measure, HalvesAndTiffAndFramesWithoutALoopAgree) {
@@ -133,7 +133,7 @@ TEST(Measure, HalvesAndTiffAndFramesWithoutALoopAgree) {
         const json found = measured(folder / "out");
         EXPECT_FALSE(found["frames"]["one_loop"].get<bool>());
         heights.push_back(figure(found, "significant_wave_height_m"));
-        EXPECT_NEAR(figure(found, "peak_period_s") / figure(found, "peak_period_s", "drawn"), 1, 0.15);
+        EXPECT_NEAR(figure(found, "peak_period_s") / figure(found, "peak_period_s", "realised"), 1, 0.15);
         const double variance = heights[0] * heights[0] / 16;
         // Welch's windows span 75 s, about ten waves, and the lowest frequency is not among theirs.
         EXPECT_NEAR(integral(found["by_frequency"], "frequency_hz", "found_m2_per_hz") / variance, 1, 0.15);
@@ -206,11 +206,11 @@ TEST(Measure, SeveralCascadesHaveTheSeedsSpectrum) {
     EXPECT_EQ(found["cascades_there"], 3);
     // At one frame a second short waves alias to each other's frequencies, and a few of them to
     // twice their own.
-    EXPECT_NEAR(figure(found, "significant_wave_height_m") / figure(found, "significant_wave_height_m", "drawn"), 1,
+    EXPECT_NEAR(figure(found, "significant_wave_height_m") / figure(found, "significant_wave_height_m", "realised"), 1,
                 0.02);
-    const double apart = figure(found, "mean_direction_deg") - figure(found, "mean_direction_deg", "drawn");
+    const double apart = figure(found, "mean_direction_deg") - figure(found, "mean_direction_deg", "realised");
     EXPECT_LT(std::fabs(std::remainder(apart, 360)), 5);
-    EXPECT_NEAR(figure(found, "directional_spread_deg"), figure(found, "directional_spread_deg", "drawn"), 5);
+    EXPECT_NEAR(figure(found, "directional_spread_deg"), figure(found, "directional_spread_deg", "realised"), 5);
 
     // If the images of a cascade are missing the others are measured, and a note is printed.
     json record = json::parse(read_file(folder / "out" / "sea.json"));

@@ -179,7 +179,7 @@ TEST(WaveHeight, DependsOnNeitherResolutionNorPatch) {
     // The bound allows for what the coarsest grid (4.7 m) and the smallest patch (three peak waves)
     // do not resolve.
     EXPECT_LT(*max / *min, 1.03);
-    // The drawn waves of the same seeds also agree.
+    // The realised waves of the same seeds also agree.
     const double coarse = mean_significant_height({.resolution = 64, .patch_size_m = 300, .wind_speed_mps = 10}, 4);
     const double fine = mean_significant_height({.resolution = 512, .patch_size_m = 300, .wind_speed_mps = 10}, 4);
     EXPECT_NEAR(fine / coarse, 1, 0.02);

@@ -61,9 +61,9 @@ TEST(SeaReport, DrawnDirectionsMatchTheDrawnWaves) {
                 z += energy * n / std::hypot(m, n);
             }
         }
-        const WaveDirections drawn = report_on(sea).realised_directions;
-        EXPECT_LT(apart(drawn.mean_rad, std::atan2(z, x)), 1e-9) << seed;
-        EXPECT_NEAR(drawn.spread_rad, std::sqrt(2 * (1 - std::hypot(x, z) / all)), 1e-9) << seed;
+        const WaveDirections realised = report_on(sea).realised_directions;
+        EXPECT_LT(apart(realised.mean_rad, std::atan2(z, x)), 1e-9) << seed;
+        EXPECT_NEAR(realised.spread_rad, std::sqrt(2 * (1 - std::hypot(x, z) / all)), 1e-9) << seed;
     }
 }
 
@@ -236,9 +236,9 @@ TEST(SeaReport, PeaksOfWindSeaAndSwellAreSeparate) {
     // model's, and the mean of eight seeds is closer.
     double swell_s = 0, wind_s = 0;
     for (std::uint32_t seed = 60; seed < 68; ++seed) {
-        SeaState drawn = sea;
-        drawn.seed = seed;
-        const SeaReport one = report_on(drawn);
+        SeaState seeded = sea;
+        seeded.seed = seed;
+        const SeaReport one = report_on(seeded);
         const double of_swell_s = one.swell->realised_peak_period_s.value();
         const double of_wind_s = one.wind_sea->realised_peak_period_s.value();
         EXPECT_NEAR(of_swell_s, 14, 14.0 / 8) << seed;

@@ -269,12 +269,12 @@ struct Directions {
     double deviation;  ///< of r1, by the random draws
 };
 
-/// Returns the first circular moment of the waves that 16 seeds drew; with `drawn` false, that of
+/// Returns the first circular moment of the waves that 16 seeds drew; with `realised` false, that of
 /// the variances.
-Directions directions(SeaState sea, bool drawn) {
+Directions directions(SeaState sea, bool realised) {
     const WaveSpectrum spectrum = spectrum_of(sea);
     std::vector<CascadeWaves> seeds;
-    for (sea.seed = 1; drawn && sea.seed <= 16; ++sea.seed) seeds.emplace_back(sea, cascade_of(sea));
+    for (sea.seed = 1; realised && sea.seed <= 16; ++sea.seed) seeds.emplace_back(sea, cascade_of(sea));
     double x = 0, z = 0, all = 0, squares = 0;
     const int half = sea.resolution / 2;
     for (int n = -half + 1; n < half; ++n)
@@ -283,7 +283,7 @@ Directions directions(SeaState sea, bool drawn) {
             double energy = 0;
             const double dk = 2 * pi / sea.patch_size_m, length = std::hypot(m, n);
             const double variance = spectrum.amplitude_variance(m * dk, n * dk);
-            if (drawn) {
+            if (realised) {
                 for (const CascadeWaves& waves : seeds) energy += std::norm(waves.amplitude(m, n)) / 16;
             } else {
                 energy = variance;

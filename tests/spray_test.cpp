@@ -41,7 +41,7 @@ SprayDroplet single(const SprayEmitter& emitter, double age_s) {
     DropletRing emitted(Allocator{}), none(Allocator{});
     leave_emitter(emitter, 0, 1, {}, {}, emitted);
     SprayDroplet droplet;
-    const std::size_t count = show_droplets(emitted, none, {.time_s = 10 + age_s}, {}, {&droplet, 1});
+    const std::size_t count = write_droplets(emitted, none, {.time_s = 10 + age_s}, {}, {&droplet, 1});
     return count == 1 ? droplet : SprayDroplet{.y_m = std::numeric_limits<double>::quiet_NaN()};
 }
 

@@ -46,10 +46,10 @@ struct HorizontalDisplacement {
 
 HorizontalDisplacement horizontal(const SurfaceTexels& surface, const float* plane, const Place& at,
                                   float texels_per_m) {
-    const float v00 = plane[place_of(surface, at.cell_x, at.cell_z)];
-    const float v10 = plane[place_of(surface, at.cell_x + 1, at.cell_z)];
-    const float v01 = plane[place_of(surface, at.cell_x, at.cell_z + 1)];
-    const float v11 = plane[place_of(surface, at.cell_x + 1, at.cell_z + 1)];
+    const float v00 = plane[texel_offset(surface, at.cell_x, at.cell_z)];
+    const float v10 = plane[texel_offset(surface, at.cell_x + 1, at.cell_z)];
+    const float v01 = plane[texel_offset(surface, at.cell_x, at.cell_z + 1)];
+    const float v11 = plane[texel_offset(surface, at.cell_x + 1, at.cell_z + 1)];
     const float low = between(v00, v10, at.u), high = between(v01, v11, at.u);
     return {between(low, high, at.v) * texels_per_m, between(v10 - v00, v11 - v01, at.v) * texels_per_m,
             (high - low) * texels_per_m};
@@ -60,7 +60,7 @@ struct Slopes {
 };
 
 Slopes slopes(const SurfaceTexels& surface, const float* plane, const Place& at) {
-    const auto texel = [&](int i, int j) { return plane[place_of(surface, at.cell_x + i, at.cell_z + j)]; };
+    const auto texel = [&](int i, int j) { return plane[texel_offset(surface, at.cell_x + i, at.cell_z + j)]; };
     const auto along = [&](int i, int j) {
         return bilinear(texel(i, j) - texel(-i, -j), texel(1 + i, j) - texel(1 - i, -j),
                         texel(i, 1 + j) - texel(-i, 1 - j), texel(1 + i, 1 + j) - texel(1 - i, 1 - j), at.u, at.v);
@@ -111,7 +111,9 @@ ScalarSample scalar_query(const Frame& frame, double x_m, double z_m, double tol
 float scalar_lookup(const Frame& frame, double x_m, double z_m) {
     const SurfaceTexels surface = texels_of(frame.cascades[0]);
     const Place at = place_in_texels(frame, x_m, z_m);
-    const auto texel = [&](int i, int j) { return surface.height[place_of(surface, at.cell_x + i, at.cell_z + j)]; };
+    const auto texel = [&](int i, int j) {
+        return surface.height[texel_offset(surface, at.cell_x + i, at.cell_z + j)];
+    };
     return bilinear(texel(0, 0), texel(1, 0), texel(0, 1), texel(1, 1), at.u, at.v);
 }
 

@@ -44,7 +44,7 @@ void FoldMap::mark(const Cascade& cascade) {
             const int i = cell % resolution_, j = cell / resolution_;
             double min_x = 1e300, max_x = -1e300, min_z = 1e300, max_z = -1e300;
             for (const auto& [x, z] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}}) {
-                const std::ptrdiff_t offset = place_of(surface, x, z);
+                const std::ptrdiff_t offset = texel_offset(surface, x, z);
                 const double drawn_x = x + surface.dx[offset] * texels_per_m;
                 const double drawn_z = z + surface.dz[offset] * texels_per_m;
                 min_x = std::min(min_x, drawn_x), max_x = std::max(max_x, drawn_x);

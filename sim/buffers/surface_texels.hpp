@@ -35,7 +35,7 @@ inline SurfaceTexels texels_of(const Cascade& cascade) {
 }
 
 /// Returns the offset of texel (i, j) in each plane. i and j may be outside the cascade.
-inline std::ptrdiff_t place_of(const SurfaceTexels& surface, int i, int j) {
+inline std::ptrdiff_t texel_offset(const SurfaceTexels& surface, int i, int j) {
     const int column = i & (surface.resolution - 1), row = j & (surface.resolution - 1);
     return static_cast<std::ptrdiff_t>(column >> surface.block_shift) * surface.block_stride +
            (column & (surface.block_columns - 1)) + static_cast<std::ptrdiff_t>(row) * surface.row_stride;

@@ -127,7 +127,7 @@ void SprayPart::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfac
         graph.add({.name = "spray",
                    .count = 1,
                    .waits_for = {surfaces_done.front()},
-                   .body = for_each_item([this](std::size_t) { show(); }),
+                   .body = for_each_item([this](std::size_t) { write_frame(); }),
                    .stack_bytes = stack_margin});
         return;
     }
@@ -178,10 +178,10 @@ void SprayPart::begin_tick(const PassMoment& at) {
                        BreakingSurface(at.cascades, frames_.cascades(), shore_ ? shore_->of_pass() : ShoreSurface{}));
 }
 
-void SprayPart::show() {
+void SprayPart::write_frame() {
     Slot& slot = slots_.back();
-    slot.count = show_droplets(emitted_, crests_.droplets(), time_, now_.water,
-                               {slot.droplets.data(), slot.droplets.size()});
+    slot.count = write_droplets(emitted_, crests_.droplets(), time_, now_.water,
+                                {slot.droplets.data(), slot.droplets.size()});
 }
 
 void SprayPart::end(Frame& frame) {

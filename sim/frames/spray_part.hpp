@@ -42,7 +42,7 @@ class SprayPart final : public FramePart {
 
    private:
     void begin_tick(const PassMoment& at);
-    void show();
+    void write_frame();
     SprayWind wind_at(double time_s) const { return SprayWind::of(weather_.sea_at(weather_.moment_at(time_s))); }
 
     /// What the application sets for a frame and its ticks.

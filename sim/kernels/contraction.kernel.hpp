@@ -60,15 +60,15 @@ struct TexelRows {
     GridVectors<Arch> horizontal[3];
     V height[3];
 
-    PELAGIC_INLINE TexelRows(const SurfaceTexels& surface, std::size_t column, const int* row_places, V cosine,
+    PELAGIC_INLINE TexelRows(const SurfaceTexels& surface, std::size_t column, const int* row_offsets, V cosine,
                              V sine) {
         const int i = static_cast<int>(column) & (surface.resolution - 1);
-        const int place = (i >> surface.block_shift) * surface.block_stride + (i & (surface.block_columns - 1));
+        const int column_offset = (i >> surface.block_shift) * surface.block_stride + (i & (surface.block_columns - 1));
         for (int r = 0; r < 3; ++r) {
-            const V dx = V::load_unaligned(surface.dx + place + row_places[r]);
-            const V dz = V::load_unaligned(surface.dz + place + row_places[r]);
+            const V dx = V::load_unaligned(surface.dx + column_offset + row_offsets[r]);
+            const V dz = V::load_unaligned(surface.dz + column_offset + row_offsets[r]);
             horizontal[r] = {cosine * dx + sine * dz, cosine * dz - sine * dx};
-            height[r] = V::load_unaligned(surface.height + place + row_places[r]);
+            height[r] = V::load_unaligned(surface.height + column_offset + row_offsets[r]);
         }
     }
 };
@@ -86,11 +86,11 @@ void find_contraction(const FindContractionJob& job) {
     V displacement(0.f), even(0.f), turn(0.f), apart_squared(0.f), steepness(0.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; z += 2) {
         alignas(64) std::int32_t columns[FindContractionJob::max_resolution];
-        int row_places[3];
-        for (std::size_t r = 0; r < 3; ++r) row_places[r] = static_cast<int>((z + r) & (n - 1)) * surface.row_stride;
-        TexelRows<Arch> here(surface, 0, row_places, cosine, sine);
+        int row_offsets[3];
+        for (std::size_t r = 0; r < 3; ++r) row_offsets[r] = static_cast<int>((z + r) & (n - 1)) * surface.row_stride;
+        TexelRows<Arch> here(surface, 0, row_offsets, cosine, sine);
         for (std::size_t x = 0; x < n; x += lanes) {
-            const TexelRows<Arch> behind(surface, x + lanes, row_places, cosine, sine);
+            const TexelRows<Arch> behind(surface, x + lanes, row_offsets, cosine, sine);
             Vectors edges[3];
             V rises[3];
             for (int r = 0; r < 3; ++r) {

@@ -248,19 +248,19 @@ struct SurfaceTexels {
 
 /// Positions on a square of texels, by component: a cell index and the position within the cell,
 /// [0, 1]. Cells may lie outside the cascade. Arrays are aligned; their length is a multiple of W.
-struct CellPlaces {
+struct CellPositions {
     std::int32_t *cell_x, *cell_z;
     float *u, *v;
 };
 
-/// Places positions on the grid of a cascade.
+/// Splits positions into the cell of a cascade and the position within the cell.
 struct SplitPositionsJob {
     const double *x, *z;   ///< world positions \pre at most 2^50 texels from the origin
     double texel_m;        ///< of a grid along the world's axes; 0: `along` and `across` are used
     double along, across;  ///< cosine and sine of the grid's rotation, times N / L
     std::int32_t resolution;
     std::size_t count;  ///< a multiple of W
-    CellPlaces out;     ///< u and v are in [0, 1]; aliases no input
+    CellPositions out;  ///< u and v are in [0, 1]; aliases no input
 };
 
 /// Computes the reference position of each given world position: the q of q + D(q) = p, where D is
@@ -276,12 +276,12 @@ struct InvertSurfaceJob {
     static constexpr float min_determinant = 0.1f;
 
     SurfaceTexels surface;
-    float texels_per_m;  ///< N / L
-    float target;        ///< remaining distance at which a lane stops, in texels
-    std::size_t count;   ///< a multiple of W
-    CellPlaces world;    ///< world positions
-    CellPlaces rest;     ///< reference positions (output); aliases no input
-    float* error;        ///< remaining distance in texels
+    float texels_per_m;   ///< N / L
+    float target;         ///< remaining distance at which a lane stops, in texels
+    std::size_t count;    ///< a multiple of W
+    CellPositions world;  ///< world positions
+    CellPositions rest;   ///< reference positions (output); aliases no input
+    float* error;         ///< remaining distance in texels
 };
 
 /// Samples the surface at reference positions. Linear: all values are bilinear between texels,
@@ -297,7 +297,7 @@ struct SampleSurfaceJob {
     float two_texels_m;     ///< 2 L / N
     float jacobian_factor;  ///< 1 / two_texels_m^2
     std::size_t count;      ///< a multiple of W
-    CellPlaces rest;
+    CellPositions rest;
     Outputs out;  ///< aliases no input
 };
 
@@ -364,7 +364,7 @@ inline constexpr std::size_t max_cascades = 4;
 struct StackCascade {
     SurfaceTexels surface;
     float along, across;  ///< cosine and sine of the grid's rotation, times N / L
-    CellPlaces world;     ///< world positions, along the cascade's own axes
+    CellPositions world;  ///< world positions, along the cascade's own axes
     /// Weight of the cascade's displacement at each point. Null for all cascades or for none; null
     /// means a weight of 1.
     const float* weight = nullptr;

@@ -14,13 +14,13 @@ namespace pelagic::kernels {
 
 /// W positions in one cascade, cell and position within the cell: world + offset.
 template <class Arch>
-struct StackPlaces {
+struct StackPositions {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
     I x, z;
     V u, v;
 
-    PELAGIC_INLINE StackPlaces(const StackCascade& cascade, std::size_t at, V offset_x, V offset_z) {
+    PELAGIC_INLINE StackPositions(const StackCascade& cascade, std::size_t at, V offset_x, V offset_z) {
         const V along(cascade.along), across(cascade.across);
         split(cascade.world.cell_x + at,
               V::load_aligned(cascade.world.u + at) + (along * offset_x + across * offset_z), x, u);
@@ -65,14 +65,14 @@ class StackSearch {
         V x_x(1.f), x_z(0.f), z_x(0.f), z_z(1.f);
         for (std::size_t t = 0; t < cascades; ++t) {
             const StackCascade& cascade = job.cascades[t];
-            const TexelPlaces<Arch> texels(cascade.surface);
-            const StackPlaces<Arch> place(cascade, at, x_, z_);
+            const TexelOffsets<Arch> texels(cascade.surface);
+            const StackPositions<Arch> position(cascade, at, x_, z_);
             if (t >= cascades_loaded_)
-                cells_[t].load(cascade.surface, texels, place.x, place.z);
+                cells_[t].load(cascade.surface, texels, position.x, position.z);
             else
-                cells_[t].follow(cascade.surface, texels, place.x, place.z);
-            const Horizontal<Arch> dx = cells_[t].dx(place.u, place.v, V(1.f)),
-                                   dz = cells_[t].dz(place.u, place.v, V(1.f));
+                cells_[t].follow(cascade.surface, texels, position.x, position.z);
+            const Horizontal<Arch> dx = cells_[t].dx(position.u, position.v, V(1.f)),
+                                   dz = cells_[t].dz(position.u, position.v, V(1.f));
             const CascadeWeight<Arch, HasWeights> weight(cascade, at);
             const V along = weight.of(V(cascade.along)), across = weight.of(V(cascade.across));
             off_x = off_x + weight.of(dx.value);
@@ -136,17 +136,17 @@ class StackSearches {
         : job_(job), at_(at), enough_(job.target * job.target), reach_(job.reach) {}
 
     PELAGIC_INLINE void begin_at_offset() {
-        for (std::size_t r = 0; r < Registers; ++r) searches_[r].begin_at_offset(job_, place(r));
+        for (std::size_t r = 0; r < Registers; ++r) searches_[r].begin_at_offset(job_, first_lane(r));
     }
     PELAGIC_INLINE void step_with_first_cascades() {
         for (std::size_t r = 0; r < Registers; ++r)
-            searches_[r].evaluate(job_, InvertStackJob::first_cascades, place(r));
+            searches_[r].evaluate(job_, InvertStackJob::first_cascades, first_lane(r));
         for (auto& search : searches_) search.step(reach_);
     }
     /// Runs steps until all lanes have converged. Returns false if some have not in the last step.
     PELAGIC_INLINE bool converge(int step, int last_step) {
         for (;; ++step) {
-            for (std::size_t r = 0; r < Registers; ++r) searches_[r].evaluate(job_, job_.cascade_count, place(r));
+            for (std::size_t r = 0; r < Registers; ++r) searches_[r].evaluate(job_, job_.cascade_count, first_lane(r));
             auto open = searches_[0].open(enough_);
             for (std::size_t r = 1; r < Registers; ++r) open = open | searches_[r].open(enough_);
             if (!xsimd::any(open)) return true;
@@ -161,7 +161,7 @@ class StackSearches {
             alignas(64) float is_open[V::size];
             xsimd::select(searches_[r].open(enough_), V(1.f), V(0.f)).store_aligned(is_open);
             for (std::size_t lane = 0; lane < V::size; ++lane) {
-                open[count] = static_cast<std::uint32_t>(place(r) + lane);
+                open[count] = static_cast<std::uint32_t>(first_lane(r) + lane);
                 count += is_open[lane] != 0;
             }
             searches_[r].step(reach_, enough_);
@@ -169,11 +169,11 @@ class StackSearches {
         return count;
     }
     PELAGIC_INLINE void store() const {
-        for (std::size_t r = 0; r < Registers; ++r) searches_[r].store(job_, place(r));
+        for (std::size_t r = 0; r < Registers; ++r) searches_[r].store(job_, first_lane(r));
     }
 
    private:
-    PELAGIC_INLINE std::size_t place(std::size_t r) const { return at_ + r * V::size; }
+    PELAGIC_INLINE std::size_t first_lane(std::size_t r) const { return at_ + r * V::size; }
 
     const InvertStackJob& job_;
     std::size_t at_;
@@ -307,9 +307,9 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
     V velocity_x(0.f), velocity_y(0.f), velocity_z(0.f);
     for (std::size_t t = 0; t < job.cascade_count; ++t) {
         const StackCascade& cascade = job.cascades[t];
-        const TexelPlaces<Arch> texels(cascade.surface);
-        const StackPlaces<Arch> place(cascade, at, offset_x, offset_z);
-        const typename Interpolation::template Place<Arch> at_place(place.u, place.v);
+        const TexelOffsets<Arch> texels(cascade.surface);
+        const StackPositions<Arch> position(cascade, at, offset_x, offset_z);
+        const typename Interpolation::template Position<Arch> sampled(position.u, position.v);
         const CascadeWeight<Arch, HasWeights> weight(cascade, at);
         if (out.normal_x) {
             const V half_along = weight.of(V(0.5f * cascade.along)),
@@ -317,22 +317,22 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
             const auto add = [&](const auto& cell) PELAGIC_INLINE_LAMBDA {
                 CellSurroundings<Arch> around[3];
                 cell.read({cascade.surface.dx, cascade.surface.height, cascade.surface.dz}, around);
-                dx.add(at_place.slopes(around[0]), weight, half_along, half_across);
-                height.add(at_place.slopes(around[1]), weight, half_along, half_across);
-                dz.add(at_place.slopes(around[2]), weight, half_along, half_across);
+                dx.add(sampled.slopes(around[0]), weight, half_along, half_across);
+                height.add(sampled.slopes(around[1]), weight, half_along, half_across);
+                dz.add(sampled.slopes(around[2]), weight, half_along, half_across);
             };
-            if (SharedCell<Arch>::is_shared(place.x, place.z))
-                add(SharedCell<Arch>(texels, place.x, place.z));
+            if (SharedCell<Arch>::is_shared(position.x, position.z))
+                add(SharedCell<Arch>(texels, position.x, position.z));
             else
-                add(CellReader<Arch>(texels, place.x, place.z));
+                add(CellReader<Arch>(texels, position.x, position.z));
         } else if (out.height) {
             V values[1];
-            at_place.read(texels, place.x, place.z, {cascade.surface.height}, values);
+            sampled.read(texels, position.x, position.z, {cascade.surface.height}, values);
             height.value = height.value + weight.of(values[0]);
         }
         if (out.velocity_x) {
             V values[3];
-            at_place.read(texels, place.x, place.z,
+            sampled.read(texels, position.x, position.z,
                           {cascade.surface.velocity_x, cascade.surface.velocity_y, cascade.surface.velocity_z},
                           values);
             velocity_x = velocity_x + weight.of(values[0]);

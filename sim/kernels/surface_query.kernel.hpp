@@ -15,11 +15,11 @@ namespace pelagic::kernels {
 /// Computes offsets of W texels in the layout of SurfaceTexels. Texel indices may lie outside the
 /// cascade.
 template <class Arch>
-class TexelPlaces {
+class TexelOffsets {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    explicit TexelPlaces(const SurfaceTexels& surface)
+    explicit TexelOffsets(const SurfaceTexels& surface)
         : surface_(surface),
           last_(I(surface.resolution - 1)),
           in_block_(I(surface.block_columns - 1)),
@@ -73,8 +73,8 @@ class CellGather {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE CellGather(const TexelPlaces<Arch>& places, I x, I z)
-        : CellGather(places.column(x), places.column(x + I(1)), places.row(z), places.row(z + I(1))) {}
+    PELAGIC_INLINE CellGather(const TexelOffsets<Arch>& offsets, I x, I z)
+        : CellGather(offsets.column(x), offsets.column(x + I(1)), offsets.row(z), offsets.row(z + I(1))) {}
 
     template <std::size_t Planes>
     PELAGIC_INLINE void corners(const float* const (&planes)[Planes], Corners<Arch> (&corners)[Planes]) const {
@@ -93,7 +93,7 @@ class CellGather {
     Gather<Arch> at00_, at10_, at01_, at11_;
 };
 
-/// The 4 x 4 texels around a cell in one plane, by row and column. LinearPlace does not read the
+/// The 4 x 4 texels around a cell in one plane, by row and column. LinearPosition does not read the
 /// four corners.
 template <class Arch>
 struct CellSurroundings {
@@ -118,10 +118,10 @@ class SharedCell {
     }
 
     /// \pre is_shared(x, z)
-    PELAGIC_INLINE SharedCell(const TexelPlaces<Arch>& places, I x, I z) {
+    PELAGIC_INLINE SharedCell(const TexelOffsets<Arch>& offsets, I x, I z) {
         for (std::int32_t k = 0; k < 4; ++k) {
-            columns_[k] = places.column(x.get(0) + k - 1);
-            rows_[k] = places.row(z.get(0) + k - 1);
+            columns_[k] = offsets.column(x.get(0) + k - 1);
+            rows_[k] = offsets.row(z.get(0) + k - 1);
         }
     }
 
@@ -165,7 +165,7 @@ class CellReader {
     static constexpr int lanes = static_cast<int>(V::size);
 
    public:
-    PELAGIC_INLINE CellReader(const TexelPlaces<Arch>& places, I x, I z) {
+    PELAGIC_INLINE CellReader(const TexelOffsets<Arch>& offsets, I x, I z) {
         const I shift = xsimd::max(((x - I(1)) & I(lanes - 1)) - I(lanes - 4), I(0));
         const I shifts[4] = {lane_in_all<0, Arch>(shift), lane_in_all<1, Arch>(shift), lane_in_all<2, Arch>(shift),
                              lane_in_all<3, Arch>(shift)};
@@ -174,9 +174,9 @@ class CellReader {
             is_second_[k] = xsimd::to_float(order) < xsimd::to_float(shifts[k]);
             lanes_[k] = order + shifts[k];
         }
-        const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
+        const I first = offsets.column(x - I(1)) - shift, second = offsets.column((x + I(2)) & I(-lanes));
         for (int row = 0; row < 4; ++row) {
-            const I at = places.row(z + I(row - 1));
+            const I at = offsets.row(z + I(row - 1));
             (first + at).store_aligned(reinterpret_cast<std::int32_t*>(first_[row]));
             (second + at).store_aligned(reinterpret_cast<std::int32_t*>(second_[row]));
         }
@@ -217,12 +217,12 @@ class CellReader {
 /// Bilinear interpolation between texels. Slopes are central differences at the corners of the
 /// cell, also interpolated.
 template <class Arch>
-class LinearPlace {
+class LinearPosition {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE LinearPlace(V u, V v) : u_(u), v_(v) {}
+    PELAGIC_INLINE LinearPosition(V u, V v) : u_(u), v_(v) {}
 
     PELAGIC_INLINE CellSlopes<Arch> slopes(const CellSurroundings<Arch>& texels) const {
         const auto& [a, b, c, d] = texels.at;
@@ -232,9 +232,9 @@ class LinearPlace {
     }
     /// Reads values of planes at W cells, without slopes.
     template <std::size_t Planes>
-    PELAGIC_INLINE void read(const TexelPlaces<Arch>& places, I x, I z, const float* const (&planes)[Planes],
+    PELAGIC_INLINE void read(const TexelOffsets<Arch>& offsets, I x, I z, const float* const (&planes)[Planes],
                              V (&values)[Planes]) const {
-        const CellGather<Arch> cell(places, x, z);
+        const CellGather<Arch> cell(offsets, x, z);
         Corners<Arch> corners[Planes];
         cell.corners(planes, corners);
         for (std::size_t plane = 0; plane < Planes; ++plane) values[plane] = bilinear<Arch>(corners[plane], u_, v_);
@@ -269,12 +269,12 @@ struct CubicWeights {
 
 /// Bicubic interpolation: the product of the cubics along both axes. Slopes are its derivatives.
 template <class Arch>
-class CubicPlace {
+class CubicPosition {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE CubicPlace(V u, V v) : u_(u), v_(v) {}
+    PELAGIC_INLINE CubicPosition(V u, V v) : u_(u), v_(v) {}
 
     PELAGIC_INLINE CellSlopes<Arch> slopes(const CellSurroundings<Arch>& texels) const {
         V rows[4], slopes[4];
@@ -285,10 +285,10 @@ class CubicPlace {
         return {.x = sum(v_.value, slopes), .z = sum(v_.slope, rows), .value = sum(v_.value, rows)};
     }
     template <std::size_t Planes>
-    PELAGIC_INLINE void read(const TexelPlaces<Arch>& places, I x, I z, const float* const (&planes)[Planes],
+    PELAGIC_INLINE void read(const TexelOffsets<Arch>& offsets, I x, I z, const float* const (&planes)[Planes],
                              V (&values)[Planes]) const {
         CellSurroundings<Arch> texels[Planes];
-        CellReader<Arch>(places, x, z).read(planes, texels);
+        CellReader<Arch>(offsets, x, z).read(planes, texels);
         for (std::size_t plane = 0; plane < Planes; ++plane) {
             V rows[4];
             for (int row = 0; row < 4; ++row) rows[row] = sum(u_.value, texels[plane].at[row]);
@@ -330,11 +330,11 @@ class LinearCells {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
+    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelOffsets<Arch>& offsets, I x, I z) {
         if (SharedCell<Arch>::is_shared(x, z))
-            SharedCell<Arch>(places, x, z).corners({surface.dx, surface.dz}, texels_);
+            SharedCell<Arch>(offsets, x, z).corners({surface.dx, surface.dz}, texels_);
         else
-            CellGather<Arch>(places, x, z).corners({surface.dx, surface.dz}, texels_);
+            CellGather<Arch>(offsets, x, z).corners({surface.dx, surface.dz}, texels_);
     }
     PELAGIC_INLINE Horizontal<Arch> dx(V u, V v, V texels_per_m) const { return {texels_[0], u, v, texels_per_m}; }
     PELAGIC_INLINE Horizontal<Arch> dz(V u, V v, V texels_per_m) const { return {texels_[1], u, v, texels_per_m}; }
@@ -350,17 +350,17 @@ class CubicCells {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
+    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelOffsets<Arch>& offsets, I x, I z) {
         if (SharedCell<Arch>::is_shared(x, z))
-            SharedCell<Arch>(places, x, z).read({surface.dx, surface.dz}, texels_);
+            SharedCell<Arch>(offsets, x, z).read({surface.dx, surface.dz}, texels_);
         else
-            CellReader<Arch>(places, x, z).read({surface.dx, surface.dz}, texels_);
+            CellReader<Arch>(offsets, x, z).read({surface.dx, surface.dz}, texels_);
     }
     PELAGIC_INLINE Horizontal<Arch> dx(V u, V v, V texels_per_m) const {
-        return {CubicPlace<Arch>(u, v).slopes(texels_[0]), texels_per_m};
+        return {CubicPosition<Arch>(u, v).slopes(texels_[0]), texels_per_m};
     }
     PELAGIC_INLINE Horizontal<Arch> dz(V u, V v, V texels_per_m) const {
-        return {CubicPlace<Arch>(u, v).slopes(texels_[1]), texels_per_m};
+        return {CubicPosition<Arch>(u, v).slopes(texels_[1]), texels_per_m};
     }
 
    private:
@@ -373,13 +373,13 @@ class FollowedCells : public Cells {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
-        Cells::load(surface, places, x, z);
+    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelOffsets<Arch>& offsets, I x, I z) {
+        Cells::load(surface, offsets, x, z);
         x_ = x;
         z_ = z;
     }
-    PELAGIC_INLINE void follow(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
-        if (!xsimd::all((x == x_) & (z == z_))) load(surface, places, x, z);
+    PELAGIC_INLINE void follow(const SurfaceTexels& surface, const TexelOffsets<Arch>& offsets, I x, I z) {
+        if (!xsimd::all((x == x_) & (z == z_))) load(surface, offsets, x, z);
     }
 
     I x() const { return x_; }
@@ -394,14 +394,14 @@ class FollowedCells : public Cells {
 /// starts at the world position or at the result of an earlier search.
 struct Linear {
     template <class Arch>
-    using Place = LinearPlace<Arch>;
+    using Position = LinearPosition<Arch>;
     template <class Arch>
     using Cells = FollowedCells<Arch, LinearCells<Arch>>;
     static constexpr bool begins_at_the_point = true;
 };
 struct Cubic {
     template <class Arch>
-    using Place = CubicPlace<Arch>;
+    using Position = CubicPosition<Arch>;
     template <class Arch>
     using Cells = FollowedCells<Arch, CubicCells<Arch>>;
     static constexpr bool begins_at_the_point = false;
@@ -426,11 +426,11 @@ class Inversion {
         v_ = V::load_aligned(from.v + at);
     }
 
-    PELAGIC_INLINE_LARGE void evaluate(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, bool is_first) {
+    PELAGIC_INLINE_LARGE void evaluate(const InvertSurfaceJob& job, const TexelOffsets<Arch>& offsets, bool is_first) {
         if (is_first)
-            cells_.load(job.surface, places, x_, z_);
+            cells_.load(job.surface, offsets, x_, z_);
         else
-            cells_.follow(job.surface, places, x_, z_);
+            cells_.follow(job.surface, offsets, x_, z_);
         const Horizontal<Arch> dx = cells_.dx(u_, v_, V(job.texels_per_m)),
                                dz = cells_.dz(u_, v_, V(job.texels_per_m));
 
@@ -483,13 +483,13 @@ class Inversion {
 /// Runs the searches of several registers together, so that the loads of one register overlap the
 /// arithmetic of the others.
 template <class Arch, class Interpolation, std::size_t Registers>
-PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
+PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelOffsets<Arch>& offsets, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     const V enough(job.target * job.target);
     Inversion<Arch, Interpolation> searches[Registers];
     for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
     for (int step = 0;; ++step) {
-        for (auto& search : searches) search.evaluate(job, places, step == 0);
+        for (auto& search : searches) search.evaluate(job, offsets, step == 0);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
         if (step == InvertSurfaceJob::max_steps || !xsimd::any(open)) break;
@@ -501,27 +501,27 @@ PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPla
 template <class Arch, class Interpolation>
 void invert_surface(const InvertSurfaceJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
-    const TexelPlaces<Arch> places(job.surface);
+    const TexelOffsets<Arch> offsets(job.surface);
     std::size_t at = 0;
-    for (; at + 4 * lanes <= job.count; at += 4 * lanes) invert_registers<Arch, Interpolation, 4>(job, places, at);
-    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_registers<Arch, Interpolation, 2>(job, places, at);
-    if (at < job.count) invert_registers<Arch, Interpolation, 1>(job, places, at);
+    for (; at + 4 * lanes <= job.count; at += 4 * lanes) invert_registers<Arch, Interpolation, 4>(job, offsets, at);
+    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_registers<Arch, Interpolation, 2>(job, offsets, at);
+    if (at < job.count) invert_registers<Arch, Interpolation, 1>(job, offsets, at);
 }
 
 template <class Arch, class Interpolation>
-PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
+PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelOffsets<Arch>& offsets, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
     const I x = I::load_aligned(job.rest.cell_x + at), z = I::load_aligned(job.rest.cell_z + at);
     const V u = V::load_aligned(job.rest.u + at), v = V::load_aligned(job.rest.v + at);
-    const typename Interpolation::template Place<Arch> place(u, v);
+    const typename Interpolation::template Position<Arch> position(u, v);
     const SampleSurfaceJob::Outputs& out = job.out;
 
     if (out.normal_x) {
         CellSurroundings<Arch> texels[3];
-        CellReader<Arch>(places, x, z).read({job.surface.dx, job.surface.height, job.surface.dz}, texels);
-        const CellSlopes<Arch> dx = place.slopes(texels[0]), h = place.slopes(texels[1]),
-                               dz = place.slopes(texels[2]);
+        CellReader<Arch>(offsets, x, z).read({job.surface.dx, job.surface.height, job.surface.dz}, texels);
+        const CellSlopes<Arch> dx = position.slopes(texels[0]), h = position.slopes(texels[1]),
+                               dz = position.slopes(texels[2]);
         // Multiplied by (2 L/N)^2, as in store_normal() in gradients.kernel.hpp; normalisation
         // removes the factor.
         const V two_texels(job.two_texels_m);
@@ -538,12 +538,13 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
         (n_y * V(job.jacobian_factor)).store_aligned(out.jacobian + at);
     } else if (out.height) {
         V height[1];
-        place.read(places, x, z, {job.surface.height}, height);
+        position.read(offsets, x, z, {job.surface.height}, height);
         height[0].store_aligned(out.height + at);
     }
     if (out.velocity_x) {
         V velocity[3];
-        place.read(places, x, z, {job.surface.velocity_x, job.surface.velocity_y, job.surface.velocity_z}, velocity);
+        position.read(offsets, x, z, {job.surface.velocity_x, job.surface.velocity_y, job.surface.velocity_z},
+                      velocity);
         velocity[0].store_aligned(out.velocity_x + at);
         velocity[1].store_aligned(out.velocity_y + at);
         velocity[2].store_aligned(out.velocity_z + at);
@@ -552,9 +553,9 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
 
 template <class Arch, class Interpolation>
 void sample_surface(const SampleSurfaceJob& job) {
-    const TexelPlaces<Arch> places(job.surface);
+    const TexelOffsets<Arch> offsets(job.surface);
     for (std::size_t at = 0; at < job.count; at += xsimd::batch<float, Arch>::size)
-        sample_lanes<Arch, Interpolation>(job, places, at);
+        sample_lanes<Arch, Interpolation>(job, offsets, at);
 }
 
 }  // namespace pelagic::kernels

@@ -40,8 +40,8 @@ class CascadeCell {
         : interpolation_(interpolation) {
         const int first = interpolation == Interpolation::cubic ? -1 : 0;
         for (int a = 0; a < 2 - 2 * first; ++a) {
-            columns_[static_cast<std::size_t>(a)] = place_of(texels, i + first + a, 0);
-            rows_[static_cast<std::size_t>(a)] = place_of(texels, 0, j + first + a);
+            columns_[static_cast<std::size_t>(a)] = texel_offset(texels, i + first + a, 0);
+            rows_[static_cast<std::size_t>(a)] = texel_offset(texels, 0, j + first + a);
         }
     }
 

@@ -78,7 +78,7 @@ OneCascadeQuery::OneCascadeQuery(const Frame& frame, const Kernels& kernels, con
       target_(static_cast<float>(
           std::clamp(options.tolerance_m * query_aim / texel_m_, min_cascade_target, max_cascade_target))) {}
 
-void OneCascadeQuery::place(PointChunk& chunk) const {
+void OneCascadeQuery::locate_points(PointChunk& chunk) const {
     kernels_.split_positions({.x = chunk.x,
                               .z = chunk.z,
                               .texel_m = texel_m_,
@@ -86,7 +86,7 @@ void OneCascadeQuery::place(PointChunk& chunk) const {
                               .across = 0,
                               .resolution = cascade_.resolution(),
                               .count = chunk.padded,
-                              .out = chunk.world[0].places()});
+                              .out = chunk.world[0].positions()});
 }
 
 void OneCascadeQuery::find_reference_points(PointChunk& chunk) const {
@@ -96,8 +96,8 @@ void OneCascadeQuery::find_reference_points(PointChunk& chunk) const {
                                .texels_per_m = static_cast<float>(1 / texel_m_),
                                .target = target_,
                                .count = chunk.padded,
-                               .world = world.places(),
-                               .rest = chunk.rest.places(),
+                               .world = world.positions(),
+                               .rest = chunk.rest.positions(),
                                .error = chunk.error};
     kernels_.invert_surface.linear(job);
     if (is_cubic) kernels_.invert_surface.cubic(job);
@@ -128,7 +128,7 @@ void OneCascadeQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk&
          .two_texels_m = static_cast<float>(2 * texel_m_),
          .jacobian_factor = static_cast<float>(1 / (4 * texel_m_ * texel_m_)),
          .count = chunk.padded,
-         .rest = chunk.rest.places(),
+         .rest = chunk.rest.positions(),
          .out = outputs});
 }
 
@@ -152,12 +152,12 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, 
 
     /// Returns a texel's displaced position relative to the query position, in texels.
     const auto corner = [&](int i, int j) {
-        const std::ptrdiff_t place = place_of(surface, cell_x + i, cell_z + j);
-        return Vector{i - u + surface.dx[place] * texels_per_m, j - v + surface.dz[place] * texels_per_m};
+        const std::ptrdiff_t offset = texel_offset(surface, cell_x + i, cell_z + j);
+        return Vector{i - u + surface.dx[offset] * texels_per_m, j - v + surface.dz[offset] * texels_per_m};
     };
     const auto height_at = [&](int i, int j, double along_x, double along_z) {
         const auto texel = [&](int a, int b) {
-            return static_cast<double>(surface.height[place_of(surface, cell_x + i + a, cell_z + j + b)]);
+            return static_cast<double>(surface.height[texel_offset(surface, cell_x + i + a, cell_z + j + b)]);
         };
         const double low = texel(0, 0) + along_x * (texel(1, 0) - texel(0, 0));
         const double high = texel(0, 1) + along_x * (texel(1, 1) - texel(0, 1));

@@ -23,8 +23,8 @@ class OneCascadeQuery {
     OneCascadeQuery(const Frame& frame, const Kernels& kernels, const SurfaceQueryOptions& options);
 
     /// Converts each position of a chunk to a cell and a position in the cell.
-    void place(PointChunk& chunk) const;
-    /// Finds the reference point of each position. \pre place(chunk)
+    void locate_points(PointChunk& chunk) const;
+    /// Finds the reference point of each position. \pre locate_points(chunk)
     void find_reference_points(PointChunk& chunk) const;
     /// Samples the frame at the reference points. \pre find_reference_points(chunk)
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;

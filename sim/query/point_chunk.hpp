@@ -31,7 +31,7 @@ struct PointChunk {
         alignas(64) Cells cell_x, cell_z;
         alignas(64) Floats u, v;
 
-        CellPlaces places() { return {cell_x, cell_z, u, v}; }
+        CellPositions positions() { return {cell_x, cell_z, u, v}; }
     };
 
     World world[max_cascades];

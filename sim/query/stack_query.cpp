@@ -40,7 +40,7 @@ StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const Surface
                            max_stack_target * finest_texel_m_);
 }
 
-void StackQuery::place(PointChunk& chunk) const {
+void StackQuery::locate_points(PointChunk& chunk) const {
     if (shore_)
         for (std::size_t i = 0; i < chunk.padded; ++i) {
             const std::array<float, max_cascades> weights = shore_weights_at(shore_, chunk.x[i], chunk.z[i]);
@@ -55,7 +55,7 @@ void StackQuery::place(PointChunk& chunk) const {
                                   .across = cascade.across,
                                   .resolution = cascade.texels.resolution,
                                   .count = chunk.padded,
-                                  .out = chunk.world[t].places()});
+                                  .out = chunk.world[t].positions()});
     }
 }
 
@@ -63,7 +63,7 @@ StackCascade StackQuery::stack_cascade(std::size_t cascade, PointChunk& chunk) c
     return {.surface = search_cascades_[cascade].texels,
             .along = static_cast<float>(search_cascades_[cascade].along),
             .across = static_cast<float>(search_cascades_[cascade].across),
-            .world = chunk.world[cascade].places(),
+            .world = chunk.world[cascade].positions(),
             .weight = shore_ ? chunk.weight[cascade] : nullptr};
 }
 

@@ -15,7 +15,7 @@ class StackQuery {
    public:
     StackQuery(const Frame& frame, const Kernels& kernels, const SurfaceQueryOptions& options);
 
-    void place(PointChunk& chunk) const;
+    void locate_points(PointChunk& chunk) const;
     void find_reference_points(PointChunk& chunk) const;
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
     void read_foam(const PointChunk& chunk, std::span<float> foam) const;

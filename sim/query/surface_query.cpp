@@ -132,8 +132,8 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             chunk.first = first;
             chunk.count = std::min(PointChunk::capacity, count - first);
             chunk.padded = (chunk.count + kernels_->lanes - 1) / kernels_->lanes * kernels_->lanes;
-            const bool all_have_samples = take(points, chunk);
-            query.place(chunk);
+            const bool all_have_samples = load_positions(points, chunk);
+            query.locate_points(chunk);
             query.find_reference_points(chunk);
             query.read(outputs_of(samples, chunk), chunk);
             if (!samples.foam.empty()) {
@@ -143,8 +143,8 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
                 else
                     std::fill(foam.begin(), foam.end(), 0.f);
             }
-            hand_out(samples, chunk);
-            if (frame_.dynamic_waves || frame_.shore) add_water_of_place(samples, chunk);
+            write_samples(samples, chunk);
+            if (frame_.dynamic_waves || frame_.shore) add_dynamic_waves_and_shore(samples, chunk);
             if (frame_.water_frame != WaterFrame{}) move_to_world(samples, chunk);
             if (!all_have_samples) remove_missing(points, samples, chunk);
         }
@@ -160,7 +160,7 @@ bool SurfaceQuery::has_sample(double x, double z) const {
     return std::fabs(x) <= max_m && std::fabs(z) <= max_m;  // false for NaN
 }
 
-bool SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
+bool SurfaceQuery::load_positions(const SurfacePoints& points, PointChunk& chunk) const {
     for (std::size_t i = 0; i < chunk.count; ++i) {
         chunk.x[i] = points.x[chunk.first + i] - origin_.x_m;
         chunk.z[i] = points.z[chunk.first + i] - origin_.z_m;
@@ -179,7 +179,7 @@ bool SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
 // Adds dynamic waves and a shore, which are functions of the world position. With the cascades'
 // normal n and the slopes s of dynamic waves and shore, the normal of the sum is along (n_x - n_y
 // s_x, n_y, n_z - n_y s_z).
-void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const {
+void SurfaceQuery::add_dynamic_waves_and_shore(const SurfaceSamples& samples, const PointChunk& chunk) const {
     const auto add = [](std::span<float> to, std::size_t i, double more) {
         if (!to.empty()) to[i] = static_cast<float>(static_cast<double>(to[i]) + more);
     };
@@ -229,7 +229,7 @@ void SurfaceQuery::move_to_world(const SurfaceSamples& samples, const PointChunk
     add(samples.velocity_z_mps, frame_.water_frame.current_z_mps);
 }
 
-void SurfaceQuery::hand_out(const SurfaceSamples& samples, const PointChunk& chunk) const {
+void SurfaceQuery::write_samples(const SurfaceSamples& samples, const PointChunk& chunk) const {
     const auto copy = [&](std::span<float> to, const float* from) {
         if (!to.empty()) std::memcpy(to.data() + chunk.first, from, chunk.count * sizeof(float));
     };

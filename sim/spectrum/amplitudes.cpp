@@ -11,7 +11,7 @@ namespace {
 
 // Smaller amplitudes, in metres, become 0. They are invisible, but denormal floats slow every
 // transform.
-constexpr double min_drawn_amplitude_m = 1e-20;
+constexpr double min_amplitude_m = 1e-20;
 
 // Half the diagonal of a cell, in grid steps.
 constexpr double half_diagonal = 0.7071067811865476;
@@ -118,7 +118,7 @@ Wave CascadeWaves::listed(int m, int n) const {
 Wave CascadeWaves::realised(double variance, int m, int n) const {
     // Real and imaginary part of the draw have variance 1, so each gets half of E|h0|^2.
     const double scale = std::sqrt(0.5 * variance);
-    if (scale < min_drawn_amplitude_m) return {};
+    if (scale < min_amplitude_m) return {};
     const GaussianPair draw = gaussian_pair(seed_, cascade_.number, m, n);
     return {{draw.re * scale, draw.im * scale}, variance};
 }

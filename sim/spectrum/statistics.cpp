@@ -263,7 +263,7 @@ MeanPeriods periods_of(double variance, double hz, double hz2) {
     return {variance / hz, std::sqrt(variance / hz2)};
 }
 
-MeanPeriods drawn_periods_from(const GridSums& sums, double loop_period_s) {
+MeanPeriods realised_periods_from(const GridSums& sums, double loop_period_s) {
     GridSums looped;
     double variance = 0;
     // Add in the order of frequencies: the result of a floating-point sum depends on the order.
@@ -403,7 +403,7 @@ SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, co
         report.realised_peak_period_s = peak_period_of(sums.bands, sums.lowest_band_hz);
     if (sea.waves == WaveModel::spectrum && sea.swell_height_m > 0) add_components(sea, plan, sums, report);
     report.expected_periods = periods_of(sums.expected.variance, sums.expected_hz, sums.expected_hz2);
-    report.realised_periods = drawn_periods_from(sums, sea.loop_period_s);
+    report.realised_periods = realised_periods_from(sums, sea.loop_period_s);
     report.expected_convergence_variance = sums.expected_convergence;
     report.realised_convergence_variance = sums.realised_convergence;
     report.expected_directions = directions_from(sums.expected);

@@ -44,8 +44,8 @@ double BreakingSurface::compression(double x_m, double z_m) const {
         if (scale == 0) continue;
         const Columns columns = columns_at(grid, texels.resolution, x_m, z_m);
         const int i = static_cast<int>(columns.along + 0.5), j = static_cast<int>(columns.across + 0.5);
-        const std::ptrdiff_t left = place_of(texels, i - 1, j), right = place_of(texels, i + 1, j);
-        const std::ptrdiff_t above = place_of(texels, i, j - 1), below = place_of(texels, i, j + 1);
+        const std::ptrdiff_t left = texel_offset(texels, i - 1, j), right = texel_offset(texels, i + 1, j);
+        const std::ptrdiff_t above = texel_offset(texels, i, j - 1), below = texel_offset(texels, i, j + 1);
         const auto change = [](const float* plane, std::ptrdiff_t from, std::ptrdiff_t to) {
             return static_cast<double>(plane[to]) - static_cast<double>(plane[from]);
         };
@@ -66,13 +66,13 @@ SprayVector BreakingSurface::at(double x_m, double z_m) const {
         const Columns columns = columns_at(cascades_[c].grid, texels.resolution, x_m, z_m);
         const int i = static_cast<int>(columns.along), j = static_cast<int>(columns.across);
         const double u = columns.along - i, v = columns.across - j;
-        const std::array places = {place_of(texels, i, j), place_of(texels, i + 1, j), place_of(texels, i, j + 1),
-                                   place_of(texels, i + 1, j + 1)};
+        const std::array offsets = {texel_offset(texels, i, j), texel_offset(texels, i + 1, j),
+                                    texel_offset(texels, i, j + 1), texel_offset(texels, i + 1, j + 1)};
         const std::array weights = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
         const std::array planes = {texels.dx, texels.height, texels.dz};
         for (std::size_t plane = 0; plane < planes.size(); ++plane)
-            for (std::size_t texel = 0; texel < places.size(); ++texel)
-                moved[c][plane] += weights[texel] * static_cast<double>(planes[plane][places[texel]]);
+            for (std::size_t texel = 0; texel < offsets.size(); ++texel)
+                moved[c][plane] += weights[texel] * static_cast<double>(planes[plane][offsets[texel]]);
     }
     // A shore's weights are those of the drawn position, which depends on them. They change slowly,
     // so that two steps suffice, as in sea.vert.glsl.

@@ -117,8 +117,8 @@ void leave_emitter(const SprayEmitter& emitter, std::size_t index, std::uint32_t
     }
 }
 
-std::size_t show_droplets(const DropletRing& of_emitters, const DropletRing& of_crests, const SprayTime& time,
-                          const WaterFrame& water, std::span<SprayDroplet> out) {
+std::size_t write_droplets(const DropletRing& of_emitters, const DropletRing& of_crests, const SprayTime& time,
+                           const WaterFrame& water, std::span<SprayDroplet> out) {
     const WaterFrame::Origin origin = water.origin_at(time.time_s);
     std::size_t count = 0;
     const auto show = [&](const DropletRing& ring, auto age_of) {

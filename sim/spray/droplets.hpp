@@ -117,7 +117,7 @@ struct SprayTime {
 
 /// Writes the droplets in the air, in the world, first those of emitters, each ring with the newest
 /// first. Returns their number.
-std::size_t show_droplets(const DropletRing& of_emitters, const DropletRing& of_crests, const SprayTime& time,
-                          const WaterFrame& water, std::span<SprayDroplet> out);
+std::size_t write_droplets(const DropletRing& of_emitters, const DropletRing& of_crests, const SprayTime& time,
+                           const WaterFrame& water, std::span<SprayDroplet> out);
 
 }  // namespace pelagic

@@ -28,8 +28,8 @@ Displacement between(const SurfaceTexels& texels, const std::array<const float*,
     const int mask = texels.resolution - 1;
     const int i = static_cast<int>(static_cast<long long>(column) & mask);
     const int j = static_cast<int>(static_cast<long long>(row) & mask);
-    const std::ptrdiff_t upper_left = place_of(texels, i, j), upper_right = place_of(texels, i + 1, j);
-    const std::ptrdiff_t lower_left = place_of(texels, i, j + 1), lower_right = place_of(texels, i + 1, j + 1);
+    const std::ptrdiff_t upper_left = texel_offset(texels, i, j), upper_right = texel_offset(texels, i + 1, j);
+    const std::ptrdiff_t lower_left = texel_offset(texels, i, j + 1), lower_right = texel_offset(texels, i + 1, j + 1);
     const auto value = [&](const float* plane) {
         const auto texel = [plane](std::ptrdiff_t offset) { return static_cast<double>(plane[offset]); };
         const double upper = texel(upper_left) + right * (texel(upper_right) - texel(upper_left));

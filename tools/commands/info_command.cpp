@@ -139,8 +139,8 @@ Json measured_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
     return json;
 }
 
-/// Returns the statistics that need neither drawn waves nor a frame. Those of measured_info() that
-/// do are null.
+/// Returns the statistics that need neither realised waves nor a frame. Those of measured_info()
+/// that do are null.
 Json expected_info(const ResolvedSea& resolved, const ComputeOptions& compute) {
     std::future<SeaReport> begun = begin_report(expected_report_on, resolved.sea, compute);
     const IdleOcean idle(forecast_of(resolved), make_default_executor(compute.threads), compute.isa);

@@ -182,11 +182,11 @@ std::filesystem::path checked_trace(const std::string& text, const ExportOptions
         throw bad_value("--trace", text, "a file, but that is a folder");
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         throw bad_value("--trace", text, "a file, but that is a device or the like");
-    const auto place_of = [&](const std::filesystem::path& file) {
+    const auto canonical = [&](const std::filesystem::path& file) {
         return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
     };
     if (is_export_name(path.filename().string(), options.maps.names) &&
-        place_of(path) == place_of(options.folder / path.filename()))
+        canonical(path) == canonical(options.folder / path.filename()))
         throw bad_value("--trace", text, "another name, since the export uses that one itself");
     return path;
 }

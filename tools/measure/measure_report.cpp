@@ -66,11 +66,11 @@ ComponentPeaks component_peaks(const std::vector<SpectrumPoint>& found, const Se
     return {wind_sea.period(), swell.period()};
 }
 
-/// Returns measured, drawn and expected statistics. A drawn value is null if it can be measured
+/// Returns measured, realised and expected statistics. A realised value is null if it can be measured
 /// from frames only.
 Json wave_statistics_json(const MeasuredWaves& found, const SeaState& sea, const SeaReport& report) {
-    const auto three = [](Json measured, Json drawn, Json expected) -> Json {
-        return {{"found", measured}, {"drawn", drawn}, {"expected", expected}};
+    const auto three = [](Json measured, Json realised, Json expected) -> Json {
+        return {{"found", measured}, {"realised", realised}, {"expected", expected}};
     };
     const auto direction = [](double WaveDirections::*angle, const WaveDirections& of) {
         return in_degrees(of.*angle);
@@ -289,10 +289,10 @@ void print_measurement(const Json& measured) {
     for (const Json& cascade : measured.at("cascades"))
         std::printf(", %s x %s texels on %s m", number(cascade.at("resolution")).c_str(),
                     number(cascade.at("resolution")).c_str(), number(cascade.at("side_m")).c_str());
-    std::printf("\n%-30s%-14s%-14s%s\n", "Waves", "found", "drawn", "expected");
+    std::printf("\n%-30s%-14s%-14s%s\n", "Waves", "found", "realised", "expected");
     for (const auto& [name, value] : measured.at("waves").items())
         std::printf("  %-28s%-14s%-14s%s\n", name.c_str(), number(value.at("found")).c_str(),
-                    number(value.at("drawn")).c_str(), number(value.at("expected")).c_str());
+                    number(value.at("realised")).c_str(), number(value.at("expected")).c_str());
     std::printf("  %-28s%s\n", "spectrum by frequency",
                 measured.at("method").at("by_frequency").get<std::string>().c_str());
     if (measured.at("cascades").size() < measured.at("cascades_there"))

@@ -11,9 +11,9 @@
 namespace pelagic::tools {
 
 /// Reads every frame of an export and measures its waves: {"frames", "method", "waves",
-/// "by_frequency", "by_wave_number"}. Each statistic has the measured value, the value drawn by the
-/// seed, and the value expected from the options. Shows progress on a terminal. Throws as
-/// ExportReader does.
+/// "by_frequency", "by_wave_number"}. Each statistic has the measured value ("found"), the value of
+/// the seed ("realised"), and the value expected from the options. Shows progress on a terminal.
+/// Throws as ExportReader does.
 Json measure_export(const std::filesystem::path& folder);
 
 /// Returns both spectra of a measurement as an SVG image.

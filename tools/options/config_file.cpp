@@ -25,17 +25,18 @@ constexpr void require_toml(bool condition) {
 namespace pelagic::tools {
 namespace {
 
-std::string place_of(const std::filesystem::path& file, const toml::source_region& source) {
+std::string location_of(const std::filesystem::path& file, const toml::source_region& source) {
     return file.string() + ":" + number_text(source.begin.line);
 }
 
-std::string toml_value_text(const toml::node& node, const std::string& place, std::string_view key) {
+std::string toml_value_text(const toml::node& node, const std::string& location, std::string_view key) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* whole = node.as_integer()) return number_text(whole->get());
     if (const auto* number = node.as_floating_point()) return number_text(number->get());
     std::ostringstream type;
     type << node.type();
-    throw InputError(place + ": " + std::string(key) + " is of type " + type.str() + ", expected a number or a text");
+    throw InputError(location + ": " + std::string(key) + " is of type " + type.str() +
+                     ", expected a number or a text");
 }
 
 /// Returns the line without its comment. A line with a quote is returned whole, because a # may be
@@ -72,7 +73,7 @@ toml::table parsed_toml(std::string_view text, const std::filesystem::path& file
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
-        throw InputError(place_of(file, error.source()) + ": " + std::string(error.description()) +
+        throw InputError(location_of(file, error.source()) + ": " + std::string(error.description()) +
                          ", expected lines such as wind_speed = 9.0");
     } catch (const NotToml&) {
         throw InputError(file.string() + ": malformed table, expected lines such as wind_speed = 9.0");
@@ -84,14 +85,14 @@ std::vector<ConfigEntry> entries_of_table(const toml::table& table, const std::f
     std::vector<ConfigEntry> entries;
     for (const auto& [name, node] : table) {
         const std::string key(name.str());
-        const std::string place = place_of(file, node.source());
+        const std::string location = location_of(file, node.source());
         if (node.is_table())
-            throw InputError(place + ": " + key +
+            throw InputError(location + ": " + key +
                              " is a table, expected known keys at the top level, such as wind_speed = 9.0");
         if (std::find(known.begin(), known.end(), key) == known.end())
-            throw InputError(place + ": unknown key " + key + ", expected " + list_of(known) +
+            throw InputError(location + ": unknown key " + key + ", expected " + list_of(known) +
                              nearest_hint(key, known));
-        entries.push_back({key, toml_value_text(node, place, key), place, node.is_string()});
+        entries.push_back({key, toml_value_text(node, location, key), location, node.is_string()});
     }
     return entries;
 }
@@ -117,12 +118,12 @@ WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& 
     WeatherConfig weather;
     if (const toml::node* changes = table.get(change_key)) {
         if (!changes->is_array_of_tables())
-            throw InputError(place_of(file, changes->source()) + ": change is no table, expected lines [[change]]");
+            throw InputError(location_of(file, changes->source()) + ": change is no table, expected lines [[change]]");
         std::vector<std::string> keys = change_keys();
         keys.insert(keys.end(), known.begin(), known.end());
         for (const toml::node& change : *changes->as_array())
             weather.changes.push_back(
-                {place_of(file, change.source()), entries_of_table(*change.as_table(), file, keys)});
+                {location_of(file, change.source()), entries_of_table(*change.as_table(), file, keys)});
         table.erase(change_key);
     }
     weather.first = entries_of_table(table, file, known);

@@ -11,12 +11,12 @@
 
 namespace pelagic::tools {
 
-/// A key, its value as on the command line, and its position in the file.
+/// A key, its value as on the command line, and its location in the file.
 struct ConfigEntry {
     std::string key;
     std::string value;
-    std::string place;  ///< "sea.toml:3"
-    bool quoted;        ///< true for a quoted string, false for a number
+    std::string location;  ///< "sea.toml:3"
+    bool quoted;           ///< true for a quoted string, false for a number
     /// Of a sea.json, which holds every option: those that do not apply, and 0 for a derived value.
     bool is_recorded = false;
 };
@@ -42,7 +42,7 @@ std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::file
 /// of the values that change.
 struct WeatherConfig {
     struct Change {
-        std::string place;  ///< "weather.toml:3"
+        std::string location;  ///< "weather.toml:3"
         std::vector<ConfigEntry> entries;
     };
     std::vector<ConfigEntry> first;

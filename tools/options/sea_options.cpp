@@ -237,12 +237,12 @@ void apply_config(ResolvedSea& resolved, const std::vector<ConfigEntry>& config)
     for (const std::string& flag : configurable_flags())
         for (const ConfigEntry& entry : config) {
             if (flag == "preset" || entry.key != config_key(flag)) continue;
-            const std::string place = entry.place + ": " + entry.key;
+            const std::string option = entry.location + ": " + entry.key;
             for (const SeaFlag& number : sea_flags)
                 if (number.flag == flag && entry.quoted && (parse_number(entry.value) || !takes_words(number)))
-                    throw bad_value(place, '"' + entry.value + '"',
+                    throw bad_value(option, '"' + entry.value + '"',
                                     "a number without quotes: " + accepted_by(number));
-            apply(resolved, flag, entry.value, place, entry.is_recorded);
+            apply(resolved, flag, entry.value, option, entry.is_recorded);
         }
 }
 
@@ -262,7 +262,7 @@ void require_effects(const std::vector<ConfigEntry>& entries, const std::vector<
         if (entry.is_recorded) continue;
         for (const std::string& flag : configurable_flags())
             if (entry.key == config_key(flag))
-                require_effect(flag, entry.place + ": " + entry.key, entry.value, seas);
+                require_effect(flag, entry.location + ": " + entry.key, entry.value, seas);
     }
 }
 
@@ -429,7 +429,7 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
         std::optional<double> from_s, over_s;
         std::vector<ConfigEntry> of_sea;
         for (const ConfigEntry& entry : config.entries) {
-            const std::string option = entry.place + ": " + entry.key;
+            const std::string option = entry.location + ": " + entry.key;
             const auto number = [&](double min, double max, const std::string& accepted) {
                 if (entry.quoted)
                     throw bad_value(option, '"' + entry.value + '"', "a number without quotes: " + accepted);
@@ -450,9 +450,9 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
             }
         }
         if (!from_s)
-            throw InputError(config.place + ": from is missing: the time when the change begins, in seconds");
+            throw InputError(config.location + ": from is missing: the time when the change begins, in seconds");
         if (!over_s)
-            throw InputError(config.place + ": over is missing, expected how long the change takes, in seconds");
+            throw InputError(config.location + ": over is missing, expected how long the change takes, in seconds");
         change.from_s = *from_s;
         change.over_s = *over_s;
         apply_config(change.sea, of_sea);
@@ -487,7 +487,7 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config, Sea
         apply_preset(resolved, *preset, "--preset");
     } else {
         for (const ConfigEntry& entry : config)
-            if (entry.key == "preset") apply_preset(resolved, entry.value, entry.place + ": preset");
+            if (entry.key == "preset") apply_preset(resolved, entry.value, entry.location + ": preset");
     }
     apply_config(resolved, config);
     of_file = resolved.sea;

@@ -29,19 +29,19 @@ OrderedJson parse(std::string_view text, const std::filesystem::path& file) {
     }
 }
 
-std::vector<ConfigEntry> entries_of_sea(const OrderedJson& sea, const std::string& place,
+std::vector<ConfigEntry> entries_of_sea(const OrderedJson& sea, const std::string& location,
                                         std::span<const std::string> known) {
     std::vector<ConfigEntry> entries;
     for (const auto& [name, value] : sea.items()) {
         const std::string key = key_without_unit(name);
         if (std::find(known.begin(), known.end(), key) == known.end())
-            throw InputError(place + ": unknown key " + name + ", expected " + list_of(known) +
+            throw InputError(location + ": unknown key " + name + ", expected " + list_of(known) +
                              nearest_hint(key, known));
         if (!value.is_number() && !value.is_string())
-            throw InputError(place + ": " + name + " is of type " + value.type_name() +
+            throw InputError(location + ": " + name + " is of type " + value.type_name() +
                              ", expected a number or a text");
         entries.push_back(
-            {key, value.is_string() ? value.get<std::string>() : value.dump(), place, value.is_string(), true});
+            {key, value.is_string() ? value.get<std::string>() : value.dump(), location, value.is_string(), true});
     }
     return entries;
 }
@@ -67,15 +67,15 @@ WeatherConfig parse_weather_record(std::string_view text, const std::filesystem:
     WeatherConfig weather{sea_of(record, file, known), {}};
     const auto changes = record.find("weather");
     if (changes == record.end()) return weather;
-    const std::string place = file.string() + ": weather";
-    if (!changes->is_array()) throw InputError(place + " is no list, expected a sea.json of pelagic export");
+    const std::string location = file.string() + ": weather";
+    if (!changes->is_array()) throw InputError(location + " is no list, expected a sea.json of pelagic export");
     for (const OrderedJson& change : *changes) {
         if (!change.is_object() || !change.contains("sea") || !change["sea"].is_object())
-            throw InputError(place + " has a change without a sea, expected a sea.json of pelagic export");
+            throw InputError(location + " has a change without a sea, expected a sea.json of pelagic export");
         OrderedJson times = change;
         times.erase("sea");
-        weather.changes.push_back({place, entries_of_sea(times, place, change_keys())});
-        for (ConfigEntry& entry : entries_of_sea(change["sea"], place, known))
+        weather.changes.push_back({location, entries_of_sea(times, location, change_keys())});
+        for (ConfigEntry& entry : entries_of_sea(change["sea"], location, known))
             weather.changes.back().entries.push_back(std::move(entry));
     }
     return weather;
