@@ -415,7 +415,7 @@ class Inversion {
 
    public:
     PELAGIC_INLINE void begin(const InvertSurfaceJob& job, std::size_t at) {
-        const CellPlaces& from = Interpolation::begins_at_the_point ? job.world : job.rest;
+        const CellPositions& from = Interpolation::begins_at_the_point ? job.world : job.rest;
         world_x_ = I::load_aligned(job.world.cell_x + at);
         world_z_ = I::load_aligned(job.world.cell_z + at);
         world_u_ = V::load_aligned(job.world.u + at);
