@@ -20,15 +20,16 @@ namespace pelagic::gl {
     X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteFramebuffers)       \
     X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteSamplers) X(DeleteShader) X(DeleteSync)                     \
     X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(DepthRangef) X(Disable)                 \
-    X(DrawArrays) X(DrawArraysInstanced) X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(FenceSync) X(Finish)          \
+    X(DrawArrays) X(DrawArraysInstanced) X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray)          \
+    X(FenceSync) X(Finish)                                                                                      \
     X(FramebufferRenderbuffer) X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers)     \
     X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetBooleanv) X(GetError)               \
     X(GetFloatv) X(GetInteger64i_v) X(GetIntegeri_v) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv)        \
     X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) X(GetUniformBlockIndex)                       \
-    X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(PixelStorei) X(PolygonOffset)         \
+    X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(PixelStorei) X(PolygonOffset)                           \
     X(ReadPixels) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) X(TexParameteri)                 \
     X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) X(Uniform4f)    \
-    X(UniformBlockBinding) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)          \
+    X(UniformBlockBinding) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)                         \
     X(VertexAttribPointer) X(Viewport)
 // clang-format on
 

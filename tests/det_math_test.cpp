@@ -75,10 +75,10 @@ TEST(DetMath, TanhIsWithinFewUlpsFromShallowToDeep) {
 TEST(DetMath, TanhOfABatchHasTheBitsOfSingleValues) {
     std::mt19937_64 random(6);
     std::uniform_real_distribution<double> exponent(-12, 4);
-    for (int i = 0; i < samples_per_range; ++i) {
+    for (std::size_t i = 0; i < samples_per_range; ++i) {
         std::array<double, det::batch_size> values;
         for (double& x : values) x = std::exp(exponent(random));
-        values[static_cast<std::size_t>(i) % det::batch_size] = std::array{0.0, 0.05, 20.0, 25.0}[static_cast<std::size_t>(i) % 4];
+        values[i % det::batch_size] = std::array{0.0, 0.05, 20.0, 25.0}[i % 4];
         std::array<double, det::batch_size> batch = values;
         det::tanh(batch);
         for (std::size_t lane = 0; lane < values.size(); ++lane)

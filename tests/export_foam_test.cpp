@@ -242,7 +242,8 @@ TEST(ExportedFoam, OptionsOfThePatchNeedOne) {
     expect_one_line(run_pelagic(joined(foam, {"--foam-pixels", "0"})), 2, "--foam-pixels is 0, expected a whole");
     expect_one_line(run_pelagic(joined(foam, {"--mips"})), 2, "--mips requires a map with mip levels");
     expect_one_line(run_pelagic(joined(foam, {"--half"})), 2, "--half requires a map of floats");
-    expect_one_line(run_pelagic(joined(foam, {"--flipbook", "1x1"})), 2, "--flipbook is 1x1, expected maps of cascades");
+    expect_one_line(run_pelagic(joined(foam, {"--flipbook", "1x1"})), 2,
+                    "--flipbook is 1x1, expected maps of cascades");
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 

@@ -49,8 +49,9 @@ Moments moments_of(const std::vector<float>& values, std::size_t channel) {
 // to its mean its variance is (1 - p) / mean; for many glints it is Poisson's, 1 / mean.
 TEST_F(GlGlints, HaveTheMeanAndTheVarianceOfACount) {
     for (const double mean : {0.2, 0.5, 1.0, 2.0, 4.0, 12.0, 50.0}) {
-        const std::vector<float> values = counted("    float a = counted_glints(at, vec2(0.013, 0.0), vec2(0.0, 0.04), " +
-                                                  std::to_string(mean) + ");\n    result = vec4(a);\n");
+        const std::vector<float> values =
+            counted("    float a = counted_glints(at, vec2(0.013, 0.0), vec2(0.0, 0.04), " + std::to_string(mean) +
+                    ");\n    result = vec4(a);\n");
         const Moments found = moments_of(values, 0);
         const double variance = (mean < 5 ? 1 - mean / 16 : 1) / mean;
         std::printf("%4.1f glints: mean %.4f, variance %.4f of %.4f\n", mean, found.mean, found.variance, variance);
@@ -70,7 +71,8 @@ TEST_F(GlGlints, HaveTheMeanOfTheSmoothLobe) {
             "    vec3 normal = normalize(tilted + vec3(0.0, 0.0, " + std::to_string(tilt) + "));\n"
             "    at = gl_FragCoord.xy * vec2(0.021, 0.013);\n"
             "    float a = glint(normal, to_eye, 0.008);\n"
-            "    result = vec4(sparkling_glint(at, vec2(0.021, 0.0), vec2(0.0, 0.013), normal, to_eye, 0.008) / a, a, 0.0, 1.0);\n");
+            "    float b = sparkling_glint(at, vec2(0.021, 0.0), vec2(0.0, 0.013), normal, to_eye, 0.008);\n"
+            "    result = vec4(b / a, a, 0.0, 1.0);\n");
         const Moments found = moments_of(values, 0);
         std::printf("tilt %.2f: mean %.4f, deviation %.2f\n", tilt, found.mean, std::sqrt(found.variance));
         // Neighbours share facets: a fifth of the values count as independent.

@@ -31,10 +31,10 @@ class Graphics {
 
    private:
     // clang-format off
-#define PELAGIC_STAND_IN_GL(X)                                                                                           \
-    X(BindBuffer) X(BindFramebuffer) X(BindTexture) X(DeleteFramebuffers) X(DeleteTextures) X(FramebufferTexture2D)      \
-    X(FramebufferTextureLayer) X(GenFramebuffers) X(GenTextures) X(GetError) X(GetIntegerv) X(PixelStorei) X(ReadPixels)             \
-    X(TexStorage2D) X(TexStorage3D)
+#define PELAGIC_STAND_IN_GL(X)                                                                                  \
+    X(BindBuffer) X(BindFramebuffer) X(BindTexture) X(DeleteFramebuffers) X(DeleteTextures)                     \
+    X(FramebufferTexture2D) X(FramebufferTextureLayer) X(GenFramebuffers) X(GenTextures) X(GetError)            \
+    X(GetIntegerv) X(PixelStorei) X(ReadPixels) X(TexStorage2D) X(TexStorage3D)
     // clang-format on
 #define PELAGIC_STAND_IN_POINTER(name) decltype(&gl##name) name = nullptr;
     PELAGIC_STAND_IN_GL(PELAGIC_STAND_IN_POINTER)

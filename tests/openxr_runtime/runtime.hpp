@@ -37,15 +37,15 @@
 namespace pelagic::openxr_stand_in {
 
 // clang-format off
-#define PELAGIC_STAND_IN_FUNCTIONS(X)                                                                                    \
-    X(EnumerateInstanceExtensionProperties) X(CreateInstance) X(DestroyInstance) X(GetInstanceProperties)                \
-    X(ResultToString) X(StructureTypeToString) X(PollEvent) X(GetSystem) X(GetSystemProperties)                          \
-    X(EnumerateEnvironmentBlendModes) X(EnumerateViewConfigurations) X(GetViewConfigurationProperties)                   \
-    X(EnumerateViewConfigurationViews) X(GetOpenGLESGraphicsRequirementsKHR)                                             \
-    X(CreateSession) X(DestroySession) X(BeginSession) X(EndSession) X(RequestExitSession)                               \
-    X(EnumerateReferenceSpaces) X(CreateReferenceSpace) X(DestroySpace) X(LocateViews)                                   \
-    X(EnumerateSwapchainFormats) X(CreateSwapchain) X(DestroySwapchain) X(EnumerateSwapchainImages)                      \
-    X(AcquireSwapchainImage) X(WaitSwapchainImage) X(ReleaseSwapchainImage)                                              \
+#define PELAGIC_STAND_IN_FUNCTIONS(X)                                                                           \
+    X(EnumerateInstanceExtensionProperties) X(CreateInstance) X(DestroyInstance) X(GetInstanceProperties)       \
+    X(ResultToString) X(StructureTypeToString) X(PollEvent) X(GetSystem) X(GetSystemProperties)                 \
+    X(EnumerateEnvironmentBlendModes) X(EnumerateViewConfigurations) X(GetViewConfigurationProperties)          \
+    X(EnumerateViewConfigurationViews) X(GetOpenGLESGraphicsRequirementsKHR)                                    \
+    X(CreateSession) X(DestroySession) X(BeginSession) X(EndSession) X(RequestExitSession)                      \
+    X(EnumerateReferenceSpaces) X(CreateReferenceSpace) X(DestroySpace) X(LocateViews)                          \
+    X(EnumerateSwapchainFormats) X(CreateSwapchain) X(DestroySwapchain) X(EnumerateSwapchainImages)             \
+    X(AcquireSwapchainImage) X(WaitSwapchainImage) X(ReleaseSwapchainImage)                                     \
     X(WaitFrame) X(BeginFrame) X(EndFrame)
 // clang-format on
 

@@ -71,7 +71,8 @@ EM_JS(int, pelagic_make_context, (), {
     let canvas = Module['canvas'];
     if (typeof canvas === 'string') canvas = document.querySelector(canvas);
     if (!canvas || !canvas.getContext) return -1;
-    const attributes = {alpha: false, antialias: true, depth: true, powerPreference: 'high-performance', xrCompatible: true};
+    const attributes =
+        {alpha: false, antialias: true, depth: true, powerPreference: 'high-performance', xrCompatible: true};
     const context = canvas.getContext('webgl2', attributes);
     if (!context) return 0;
     return GL.registerContext(context, {majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: true});
