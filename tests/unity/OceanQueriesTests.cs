@@ -51,6 +51,12 @@ public static class OceanQueriesTests
             }
             queries.Schedule(positions, default, normals).Complete();
             Check.Equal(normals[Count - 1].y, of[2][Count - 1], "the last normal, without heights");
+            // All results are the quiet NaN of every language.
+            positions[1] = new Vector3(0, 0, float.NaN);
+            queries.Schedule(positions, heights, normals, velocities).Complete();
+            Vector3 noNormal = normals[1], noVelocity = velocities[1];
+            Check.Equal(Expected.Bits(heights[1], noNormal.x, noNormal.y, noNormal.z, noVelocity.x, noVelocity.y, noVelocity.z),
+                        string.Join(",", Enumerable.Repeat("7fc00000", 7)), "results at no position");
         }
     }
 

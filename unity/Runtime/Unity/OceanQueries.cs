@@ -145,7 +145,9 @@ namespace Pelagic.Unity
 
             private static Vector3 InScene(float* vector)
             {
-                return new Vector3(vector[0], vector[BatchSize], -vector[2 * BatchSize]);
+                // A NaN keeps its bits, as in every language.
+                var z = vector[2 * BatchSize];
+                return new Vector3(vector[0], vector[BatchSize], float.IsNaN(z) ? z : -z);
             }
         }
     }
