@@ -5,11 +5,15 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/tests/each_executor.hpp"
 
 namespace pelagic {
 
@@ -66,5 +70,19 @@ class TestApplication {
     bool stopping_ = false;
     std::thread worker_;
 };
+
+struct Application {
+    std::string name;
+    std::shared_ptr<Executor> executor;
+};
+
+/// Returns the jobs of an application and every executor; under an emulator only the first.
+inline std::vector<Application> applications() {
+    static TestApplication own;
+    std::vector<Application> all = {{"application", make_callback_executor(own.jobs())}};
+    for (const ExecutorKind& kind : executor_kinds())
+        if (!is_emulated || all.size() < 2) all.push_back({kind.name, kind.make(kind.threads)});
+    return all;
+}
 
 }  // namespace pelagic

@@ -12,8 +12,6 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
-#include "pelagic/tests/each_executor.hpp"
-#include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/message_of.hpp"
 
 namespace pelagic {
@@ -56,20 +54,6 @@ TEST(DynamicWaves, DoNotChangeTheCascades) {
     EXPECT_EQ(hash_of(frame), hash_of(without.frame_at(2.5)));
     EXPECT_NE(hash_of(frame.dynamic_waves), 0U);
     EXPECT_EQ(hash_of(without.frame_at(2.5).dynamic_waves), 0U);
-}
-
-TEST(DynamicWaves, AreBitIdenticalOnEveryInstructionSetAndExecutor) {
-    Ocean first(breeze, with_dynamic_waves(isas_here().front()));
-    const std::uint64_t expected = hash_of(run_frames(first, 0, 120).dynamic_waves);
-    for (const Isa isa : isas_here()) {
-        Ocean ocean(breeze, with_dynamic_waves(isa));
-        EXPECT_EQ(hash_of(run_frames(ocean, 0, 120).dynamic_waves), expected) << name_of(isa);
-    }
-
-    for (const ExecutorKind& kind : executor_kinds()) {
-        Ocean ocean(breeze, with_dynamic_waves(choose_isa(), kind.make(kind.threads)));
-        EXPECT_EQ(hash_of(run_frames(ocean, 0, 120).dynamic_waves), expected) << kind.name;
-    }
 }
 
 // Ticks are independent of frames: constant sources give equal states at equal times for any number

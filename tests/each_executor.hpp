@@ -1,4 +1,5 @@
-// Executors as test parameters: every kind, with several numbers of threads.
+// Executors as test parameters: every kind, with several numbers of threads; and what results must
+// not depend on.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,6 +10,8 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/sliced_executor.hpp"
+#include "pelagic/simd/isa.hpp"
+#include "pelagic/tests/emulated.hpp"
 
 namespace pelagic {
 
@@ -30,6 +33,26 @@ inline std::vector<ExecutorKind> executor_kinds() {
         all.push_back({"tbb_" + std::to_string(threads), make_tbb_executor, threads});
 #endif
     }
+    return all;
+}
+
+/// What results must not depend on.
+struct Computing {
+    std::string name;
+    Isa isa;
+    ExecutorKind kind;
+
+    std::shared_ptr<Executor> executor() const { return kind.make(kind.threads); }
+};
+
+inline void PrintTo(const Computing& computing, std::ostream* out) { *out << computing.name; }
+
+/// Returns each instruction set on one thread, then each executor.
+inline std::vector<Computing> computings() {
+    std::vector<Computing> all;
+    for (const Isa isa : isas_here()) all.push_back({std::string(name_of(isa)), isa, executor_kinds().front()});
+    if (is_emulated) return all;
+    for (const ExecutorKind& kind : executor_kinds()) all.push_back({kind.name, choose_isa(), kind});
     return all;
 }
 

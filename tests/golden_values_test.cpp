@@ -1,12 +1,14 @@
 // Values of oceans, queries and hulls in tests/golden/values.txt, which every platform reproduces
 // and every binding must return for the same calls.
+#include <algorithm>
 #include <array>
-#include <memory>
+#include <string>
 #include <vector>
 
 #include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/golden.hpp"
 #include "pelagic/tests/shores.hpp"
 
@@ -41,9 +43,18 @@ void add_samples(GoldenRows& rows, const Frame& frame, Interpolation interpolati
     }
 }
 
+class GoldenValues : public testing::TestWithParam<Computing> {};
+
+INSTANTIATE_TEST_SUITE_P(On, GoldenValues, testing::ValuesIn(computings()), [](const auto& on) {
+    std::string name = on.param.name;
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+});
+
 // Ticks of 1/60 s, with commands before the frame of a tick.
-TEST(GoldenValues, OfAnOceanWithDynamicWavesAndAShore) {
-    Ocean ocean(golden_sea, {.executor = make_serial_executor(),
+TEST_P(GoldenValues, OfAnOceanWithDynamicWavesAndAShore) {
+    Ocean ocean(golden_sea, {.executor = GetParam().executor(),
+                             .isa = GetParam().isa,
                              .queries = true,
                              .velocities = true,
                              .foam = true,
@@ -84,8 +95,8 @@ TEST(GoldenValues, OfAnOceanWithDynamicWavesAndAShore) {
     for (const GoldenRows* rows : {&hashes, &linear, &cubic, &rays}) rows->expect();
 }
 
-TEST(GoldenValues, OfASeaLevelAndACurrent) {
-    Ocean ocean(golden_sea, {.executor = make_serial_executor(), .queries = true});
+TEST_P(GoldenValues, OfASeaLevelAndACurrent) {
+    Ocean ocean(golden_sea, {.executor = GetParam().executor(), .isa = GetParam().isa, .queries = true});
     ocean.set_water_frame({.sea_level_m = 3, .current_x_mps = 1.5, .current_z_mps = -0.5});
     std::array<float, 8> height{};
     SurfaceQuery(ocean.frame_at(10)).sample({golden_x, golden_z}, {.height_m = height});
@@ -95,10 +106,10 @@ TEST(GoldenValues, OfASeaLevelAndACurrent) {
 }
 
 // Between two ticks, with droplets of an emitter first.
-TEST(GoldenValues, OfSpray) {
+TEST_P(GoldenValues, OfSpray) {
     SeaState sea = golden_sea;
     sea.wind_speed_mps = 18;
-    Ocean ocean(sea, {.executor = make_serial_executor(), .spray = SprayOptions{}});
+    Ocean ocean(sea, {.executor = GetParam().executor(), .isa = GetParam().isa, .spray = SprayOptions{}});
     ocean.set_spray_center(5, -3);
     const SprayEmitter bow{.time_s = 2, .x_m = 1, .y_m = 2, .z_m = -4, .extent_m = 0.5, .velocity_x_mps = 3,
                            .velocity_y_mps = 4, .spread_mps = 1, .radius_m = 0.0625, .count = 10};
@@ -120,17 +131,17 @@ TEST(GoldenValues, OfSpray) {
     droplets.expect();
 }
 
-TEST(GoldenValues, OfATransition) {
+TEST_P(GoldenValues, OfATransition) {
     SeaState later = golden_sea;
     later.wind_speed_mps = 6;
-    Ocean ocean(golden_sea, {.executor = make_serial_executor()});
+    Ocean ocean(golden_sea, {.executor = GetParam().executor(), .isa = GetParam().isa});
     ocean.schedule_sea(later, 10, 20);
     GoldenRows rows("transition");
     for (const std::string time : {"5", "17.5", "40"}) rows.row(time, {hash_of(ocean.frame_at(std::stod(time)))});
     rows.expect();
 }
 
-TEST(GoldenValues, OfBodies) {
+TEST_P(GoldenValues, OfBodies) {
     std::vector<glm::dvec3> corners;
     for (const double x : {-2.0, 2.0})
         for (const double y : {-0.5, 0.5})
@@ -144,11 +155,12 @@ TEST(GoldenValues, OfBodies) {
     GoldenRows hulls("hull"), bodies("body"), forces("force");
     hulls.row("box", {hull.mesh().volume_m3(), afloat.draught_m, afloat.height_m, afloat.waterplane_m2,
                       afloat.roll_gm_m, afloat.pitch_gm_m});
-    Ocean ocean(golden_sea, {.executor = make_serial_executor(),
+    Ocean ocean(golden_sea, {.executor = GetParam().executor(),
+                             .isa = GetParam().isa,
                              .queries = true,
                              .velocities = true,
                              .dynamic_waves = DynamicWavesOptions{.resolution = 64, .side_m = 32, .border_m = 4}});
-    FloatingBodies floating(make_serial_executor(), &ocean.dynamic_waves());
+    FloatingBodies floating(GetParam().executor(), &ocean.dynamic_waves());
     floating.add(hull, hull.at_rest(1, -2, 0.25));
     floating.add(hull, hull.at_rest(-5, 4));
     floating.set_inputs(2, {.force = {.force_n = {900, 0, 0}}, .wind_mps = {0, 0, 5}});

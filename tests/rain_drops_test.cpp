@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "pelagic/tests/dynamic_wave_pool.hpp"
-#include "pelagic/tests/each_executor.hpp"
-#include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {
 namespace {
@@ -254,19 +252,6 @@ void rain_and_pan(DynamicWavePool& pool, int from, int to) {
         pool.grid.set_center(0.07 * tick, 0.2 * tick);
         pool.tick();
     }
-}
-
-TEST(RainDrops, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
-    const auto hash_on = [](Isa isa, std::shared_ptr<Executor> executor) {
-        DynamicWavePool pool(small_pond, isa, std::move(executor));
-        pool.grid.set_rain(pours);
-        rain_and_pan(pool, 0, 100);
-        return pool.grid.hash();
-    };
-    const std::uint64_t expected = hash_on(isas_here().front(), make_serial_executor());
-    for (const Isa isa : isas_here()) EXPECT_EQ(hash_on(isa, make_serial_executor()), expected) << name_of(isa);
-    for (const ExecutorKind& kind : executor_kinds())
-        EXPECT_EQ(hash_on(choose_isa(), kind.make(kind.threads)), expected) << kind.name;
 }
 
 TEST(RainDrops, RestoredStateContinuesBitIdentically) {

@@ -14,8 +14,6 @@
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/cascade_stack.hpp"
 #include "pelagic/tests/each_executor.hpp"
-#include "pelagic/tests/each_isa.hpp"
-#include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/golden.hpp"
 #include "pelagic/tests/shores.hpp"
 
@@ -35,25 +33,14 @@ TEST(Shore, DoesNotChangeTheCascades) {
     EXPECT_EQ(shore_hash_of(without.frame_at(3.5)), 0U);
 }
 
-TEST(Shore, IsBitIdenticalOnEveryInstructionSetAndExecutor) {
-    Ocean first(breeze, with_bay(isas_here().front()));
-    const std::uint64_t expected = shore_hash_of(first.frame_at(7.3));
-    for (const Isa isa : isas_here()) {
-        Ocean ocean(breeze, with_bay(isa));
-        EXPECT_EQ(shore_hash_of(ocean.frame_at(7.3)), expected) << name_of(isa);
+TEST(Shore, HasTheGoldenHashesOnEveryInstructionSetAndExecutor) {
+    for (const Computing& on : computings()) {
+        SCOPED_TRACE(on.name);
+        Ocean ocean(breeze, with_bay(on.isa, on.executor()));
+        GoldenRows rows("shore");
+        for (const char* time : {"0", "7.3"}) rows.row(time, {shore_hash_of(ocean.frame_at(std::stod(time)))});
+        rows.expect();
     }
-    if (is_emulated) return;
-    for (const ExecutorKind& kind : executor_kinds()) {
-        Ocean ocean(breeze, with_bay(choose_isa(), kind.make(kind.threads)));
-        EXPECT_EQ(shore_hash_of(ocean.frame_at(7.3)), expected) << kind.name;
-    }
-}
-
-TEST(Shore, MatchesTheGoldenHashes) {
-    Ocean ocean(breeze, with_bay());
-    GoldenRows rows("shore");
-    for (const char* time : {"0", "7.3"}) rows.row(time, {shore_hash_of(ocean.frame_at(std::stod(time)))});
-    rows.expect();
 }
 
 TEST(Shore, RepeatsWithTheLoop) {

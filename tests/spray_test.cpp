@@ -14,8 +14,6 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spray/droplets.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/tests/each_executor.hpp"
-#include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/shores.hpp"
 
@@ -205,30 +203,6 @@ TEST(Spray, FollowsAChangeOfTheSea) {
         EXPECT_EQ(foam_hash_of(frame), foam_hash_of(jumps.complete())) << time_s;
     }
 }
-
-class SprayOnEachIsa : public OnEachIsa {};
-
-TEST_P(SprayOnEachIsa, IsBitIdentical) {
-    const auto options = [](std::shared_ptr<Executor> executor, Isa isa) {
-        return OceanOptions{.executor = std::move(executor), .isa = isa, .spray = SprayOptions{}};
-    };
-    static const std::uint64_t expected = [&] {
-        Ocean ocean(preset_sea("storm"), options(make_serial_executor(), isas_here().front()));
-        const Frame& frame = ocean.frame_at(12.34);
-        EXPECT_GT(frame.droplets.size(), 100u);
-        return spray_hash_of(frame);
-    }();
-    for (const ExecutorKind& kind : executor_kinds()) {
-        Ocean ocean(preset_sea("storm"), options(kind.make(kind.threads), GetParam()));
-        EXPECT_EQ(spray_hash_of(ocean.frame_at(12.34)), expected) << kind.name;
-        ocean.frame_at(12.5);
-        ocean.schedule(12.55);
-        ocean.complete();
-        EXPECT_EQ(spray_hash_of(ocean.frame_at(12.34)), expected) << kind.name;
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Isa, SprayOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
 // 25.25 and 30 are exact, so that the fraction of a tick is equal.
 TEST(Spray, RepeatsWithTheLoopBitForBit) {

@@ -5,7 +5,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "pelagic/sim/frame_buffers.hpp"
@@ -98,16 +97,7 @@ TEST_P(TexturesWithoutPlanesOnEachIsa, AreThoseOfFramesWithPlanesInBothSetsOfMap
 
 TEST(TexturesWithoutPlanes, DoNotDependOnTheExecutor) {
     if (is_emulated) GTEST_SKIP() << "threads are those of the host";
-    TestApplication application;
-    std::vector<std::pair<std::string, std::shared_ptr<Executor>>> executors = {
-        {"serial", make_serial_executor()}, {"callback", make_callback_executor(application.jobs())}};
-    for (const int threads : {1, 2, 3, 8}) {
-        executors.emplace_back("thread " + std::to_string(threads), make_thread_executor(threads));
-#if defined(PELAGIC_HAS_TBB)
-        executors.emplace_back("tbb " + std::to_string(threads), make_tbb_executor(threads));
-#endif
-    }
-    for (const auto& [name, executor] : executors)
+    for (const auto& [name, executor] : applications())
         for (const int cascades : {1, 4})
             for (const int n : {128, 256})
                 for (const bool foam : {false, true}) {
