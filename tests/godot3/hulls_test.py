@@ -1,6 +1,5 @@
-# The node PelagicHull in Godot: draughts of a box beside Archimedes, and states of 200 steps in
-# waves that equal those of the C interface bit for bit. Invalid values and freed nodes are reported
-# in one line and change nothing.
+# The node PelagicHull in Godot: states of 200 steps in waves that equal those of the C interface bit
+# for bit. Invalid values and freed nodes are reported in one line and change nothing.
 # usage: hulls_test.py PROJECT LIBRARY
 import ctypes
 import json
@@ -22,9 +21,9 @@ from pelagic_ctypes import sized  # noqa: E402
 project, library_file = sys.argv[1:]
 steps, step_s = 200, 1 / 60
 
-# A box, by its size along x, y and z.
+# A box of 4 x 1 x 2 m.
 box = [4, 1, 2]
-masses = [0.5 * 8 * 1025, 0.9 * 8 * 1025, 0.1 * 8 * 1025, 0.3 * 8 * 1025]
+mass_of_box = 0.3 * 8 * 1025
 
 # A boat with a pointed bow, whose coordinates are exact in floats: sides that share vertices, and a
 # bottom and a deck whose triangles share none.
@@ -199,7 +198,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     given = {"still_sea": {"resolution": 32, "cascades": 1, "patch_size_m": 100, "wind_speed_mps": 0.01, "velocities": True, "playing": False},
              "sea": {"cascades": 2, "resolution": 32, "wind_speed_mps": 12, "velocities": True, "playing": False},
-             "box": box, "masses": masses, "boat": boat, "mass_kg": mass_kg, "centre_of_mass_m": centre_of_mass_m,
+             "box": box, "mass_of_box": mass_of_box, "boat": boat, "mass_kg": mass_kg, "centre_of_mass_m": centre_of_mass_m,
              "inertia_kgm2": inertia_kgm2, "force_n": force_n, "steps": steps, "refused": [wrong[:3] for wrong in refused],
              "pose": [1, 0, 0, 0, 1, 0, 0, 0, 1, 3, 0.5, 4],
              # The bow heels over: the heading is that of (-0.6, 0.48).
@@ -212,15 +211,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert abs(volumes_m3["CapsuleMesh"] / (math.pi + 4 / 3 * math.pi) - 1) < 0.01, volumes_m3
     assert single(says, "round") == "[]"
 
-    assert len(says["draught"]) == len(masses)
-    for mass, words in zip(masses, says["draught"]):
-        draught_m, at_rest_m, displaced_m3, speed_mps = map(float, words.split())
-        expected_m = mass / 1025 / box[0] / box[2]  # Archimedes
-        for measured_m in (draught_m, at_rest_m, displaced_m3 / box[0] / box[2]):
-            assert abs(measured_m / expected_m - 1) < 0.005, (words, expected_m)
-        assert speed_mps < 1e-3, words
-        print(f"draught {draught_m:.5f} m, {100 * (draught_m / expected_m - 1):.4f} % off")
-    assert abs(float(single(says, "level")) / (masses[-1] / 1025 / 8) - 1) < 0.005, says["level"]
+    assert abs(float(single(says, "level")) / (mass_of_box / 1025 / 8) - 1) < 0.005, says["level"]
 
     compared = 0
     poses = [words.split() for words in says["pose"]]

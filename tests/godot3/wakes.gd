@@ -1,4 +1,4 @@
-# Prints states, draughts and waves of hulls in dynamic waves for wakes_test.py.
+# Prints states and waves of hulls in dynamic waves for wakes_test.py.
 extends "hull_scene.gd"
 
 func made_ocean(sea):
@@ -129,8 +129,6 @@ func test_moved():
 var frame = 0
 var events = []
 var seconds = 0.0
-var speeds = 0.0
-var counted = 0
 
 func _initialize():
 	if given.has("cases"):
@@ -148,17 +146,11 @@ func _initialize():
 func _idle(delta):
 	seconds += delta
 	if events.size() == 0 or seconds < events[0][0]:
-		if given.get("follow", false) and hull:
-			ocean.set_center(hull.translation)
-			if seconds > given["towed_s"]:
-				speeds += hull.state()["velocity_mps"].x
-				counted += 1
 		return
 	var event = events.pop_front()
 	match event[1]:
 		"water": say("water %s %.9f" % [event[2], water_at(0, 0)])
-		"draught": say("draught %.9f" % (given["half_height_m"] - hull.translation.y + ocean.sea_level_m))
-		"set": (hull if event[2] == "hull" else ocean).set(event[3], vector_or(event[4]))
+		"set": (hull if event[2] == "hull" else ocean).set(event[3], event[4])
 		"free_hull":
 			hull.free()
 			hull = null
@@ -170,16 +162,6 @@ func _idle(delta):
 		"refusals":
 			say("refusals %s" % JSON.print(refusals))
 			refusals = []
-		"profile":
-			var heights = []
-			for i in range(-40, 41):
-				heights.append(water_at(hull.translation.x + i * 0.5, hull.translation.z))
-			say("speed %.6f" % (speeds / counted))
-			say("profile %s" % JSON.print(heights))
 		"end":
 			say("end")
 			quit()
-
-func vector_or(value):
-	return Vector3(value[0], value[1], value[2]) if value is Array else value
-

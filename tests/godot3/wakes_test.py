@@ -1,10 +1,8 @@
 # Wakes of hulls in Godot: states of 200 frames in waves that equal those of the C interface bit for
-# bit, draughts at rest and waves of a towed hull at several frame rates, and pressures that go with
-# their hulls.
+# bit, and pressures that go with their hulls.
 # usage: wakes_test.py PROJECT LIBRARY
 import ctypes
 import json
-import math
 import sys
 import tempfile
 from pathlib import Path
@@ -90,7 +88,7 @@ class CInterface(CBodies):
 def play(work, given, fps):
     # The engine's triangles are wound the other way.
     numbers = [number for i in range(0, len(faces), 3) for number in (faces[i], faces[i + 2], faces[i + 1])]
-    common = {"vertices": corners, "numbers": numbers, "half_height_m": 0.5, "mass_kg": mass_kg, "sea": sea, "still_sea": still_sea}
+    common = {"vertices": corners, "numbers": numbers, "mass_kg": mass_kg, "sea": sea, "still_sea": still_sea}
     return run_headless(project, here / "wakes.gd", work, {"GIVEN": json.dumps({**common, **given}), "FILES": str(work)}, fps=fps)
 
 
@@ -98,8 +96,11 @@ def water(name, at_s):
     return [at_s, "water", name]
 
 
-def draughts(until_s):
-    return [[half / 2, "draught"] for half in range(1, 2 * until_s)]
+def check_water(says):
+    for words in says["water"]:
+        name, height_m = words.split()
+        expected_m, bound_m = (-draught_m, 0.02 * draught_m) if name == "rest" else (0, 0.03 * draught_m)
+        assert abs(float(height_m) - expected_m) < bound_m, says["water"]
 
 
 # The hull's hollow after changes that begin or end its pressure.
@@ -109,10 +110,6 @@ changes = [water("rest", 13), [13, "free_hull"], water("none", 19), [19, "make_h
            [68, "set", "ocean", "foam", False], water("none", 68.1), water("rest", 80),
            [80, "set", "hull", "playing", False], water("none", 86), [86, "set", "hull", "playing", True], water("rest", 98),
            [98, "refusals"], [98, "free_ocean"], [99, "refusals"], [99, "make_ocean"], water("rest", 112), [112, "refusals"], [112, "end"]]
-# The pressure grows for 8.2 s, four periods of waves of the hull's length. Then a tow from 16 s on.
-launched_s, towed_s = 11, 34
-tow = [*([half / 2, "draught"] for half in range(2 * launched_s, 32)), [16, "set", "hull", "inertia_kgm2", [6000, 1e8, 20000]],
-       [24, "set", "hull", "force_n", [2000, 0, 0]], [40, "profile"], [40, "refusals"], [40, "end"]]
 errors = [
     "the saved hull is damaged, expected the bytes that save_state() returned",
     "the saved bodies have a wrong size, expected as many bytes as their counts give",
@@ -120,12 +117,6 @@ errors = [
     "the number of saved bodies is 2, expected 1",
     "the saved bodies have no wakes, expected bodies with wakes",
 ]
-
-
-def wavelength_m(heights, spacing_m):
-    """Twice the mean distance between zeros."""
-    zeros = [i + a / (a - b) for i, (a, b) in enumerate(zip(heights, heights[1:])) if a * b < 0]
-    return 2 * spacing_m * (zeros[-1] - zeros[0]) / (len(zeros) - 1)
 
 
 with tempfile.TemporaryDirectory() as folder:
@@ -159,30 +150,9 @@ with tempfile.TemporaryDirectory() as folder:
     assert single(says, "moved_errors") == "[]"
 
     assert len(says["water"]) == sum(event[1] == "water" for event in changes)
-    for words in says["water"]:
-        name, height_m = words.split()
-        expected_m, bound_m = (-draught_m, 0.02 * draught_m) if name == "rest" else (0, 0.03 * draught_m)
-        assert abs(float(height_m) - expected_m) < bound_m, says["water"]
+    check_water(says)
     assert list(map(json.loads, says["refusals"])) == [[], ["ocean is ../sea, expected the path of a PelagicOcean"], []], says["refusals"]
-
-    speeds_mps = {}
-    for fps in (60, 144, 45, 30, 8):
-        says = play(work, {"events": tow, "follow": True, "towed_s": towed_s}, fps)
-        off = max(abs(float(draught) / draught_m - 1) for draught in says["draught"])
-        assert len(says["draught"]) == 10 and off < 0.005, (fps, says["draught"])
-        speeds_mps[fps] = speed_mps = float(single(says, "speed"))
-        # Every 0.5 m, from 20 m behind the hull to 20 m before it.
-        heights_m = json.loads(single(says, "profile"))
-        behind, ahead = heights_m[16:33], heights_m[48:]
-        assert max(behind) > 0.2 and min(behind) < -0.2 and max(map(abs, ahead)) < 0.05, (fps, heights_m)
-        kelvin_m = 2 * math.pi * speed_mps**2 / 9.80665  # deep-water waves as fast as the hull
-        measured_m = wavelength_m(behind, 0.5)
-        # The waves near the hull are shorter, and seven texels long.
-        assert abs(measured_m / kelvin_m - 1) < 0.12, (fps, measured_m, kelvin_m)
-        assert json.loads(single(says, "refusals")) == []
-        print(f"{fps} frames/s: draught {100 * off:.2f} % off, {speed_mps:.3f} m/s, waves of {measured_m:.2f} m, Kelvin {kelvin_m:.2f} m")
-    # In long frames the hull meets the same waves for all steps of a frame: it moves by 0.3 m in
-    # the longest.
-    for fps, speed_mps in speeds_mps.items():
-        assert abs(speed_mps / speeds_mps[60] - 1) < (0.06 if fps == 8 else 0.02), speeds_mps
+    # Frames of many steps, and steps of several frames.
+    for fps in (8, 144):
+        check_water(play(work, {"events": [water("rest", 13), [13, "end"]]}, fps))
 print(f"{compared} states and hashes and {len(errors)} errors agree")
