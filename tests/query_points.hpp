@@ -27,7 +27,7 @@ inline Points random_points(std::size_t count, double reach_m, unsigned seed) {
 }
 
 struct Samples {
-    explicit Samples(std::size_t count, bool velocities = true)
+    explicit Samples(std::size_t count, bool velocities = true, bool has_foam = false)
         : height(count),
           normal_x(count),
           normal_y(count),
@@ -37,12 +37,15 @@ struct Samples {
           velocity_y(velocity_x),
           velocity_z(velocity_x),
           error(count),
+          foam(has_foam ? count : 0),
           converged(count) {}
     SurfaceSamples view() {
-        return {height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error, converged};
+        return {height,     normal_x,   normal_y, normal_z,  jacobian, velocity_x,
+                velocity_y, velocity_z, error,    converged, foam};
     }
     bool operator==(const Samples&) const = default;
-    std::vector<float> height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error;
+    std::vector<float> height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error,
+        foam;
     std::vector<std::uint8_t> converged;
 };
 

@@ -21,6 +21,7 @@
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/message_of.hpp"
+#include "pelagic/tests/query_points.hpp"
 #include "pelagic/tests/shores.hpp"
 
 namespace pelagic {
@@ -34,31 +35,9 @@ OceanOptions with_all(Isa isa = choose_isa()) {
     return {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true, .foam = true};
 }
 
-struct Samples {
-    explicit Samples(std::size_t count)
-        : height(count),
-          normal_x(count),
-          normal_y(count),
-          normal_z(count),
-          jacobian(count),
-          error(count),
-          velocity_x(count),
-          velocity_y(count),
-          velocity_z(count),
-          foam(count),
-          converged(count) {}
-    SurfaceSamples view() {
-        return {height,     normal_x,   normal_y, normal_z,  jacobian, velocity_x,
-                velocity_y, velocity_z, error,    converged, foam};
-    }
-    std::vector<float> height, normal_x, normal_y, normal_z, jacobian, error, velocity_x, velocity_y, velocity_z,
-        foam;
-    std::vector<std::uint8_t> converged;
-};
-
 Samples samples_of(const Frame& frame, const std::vector<double>& x, const std::vector<double>& z,
                    Interpolation interpolation = Interpolation::linear) {
-    Samples samples(x.size());
+    Samples samples(x.size(), true, true);
     SurfaceQuery(frame, {.interpolation = interpolation}).sample({x, z}, samples.view());
     return samples;
 }
