@@ -246,49 +246,6 @@ TEST_F(ExportEvents, EqualTheTicksOfTheirTimes) {
     EXPECT_GT(highest, 0.1);
 }
 
-/// eta(r, t) = A R^2 / 2 integral of exp(-k^2 R^2 / 4) J0(k r) cos(omega t) k dk: the evolution of
-/// a Gaussian initially at rest (Lamb, Hydrodynamics, 255), with the grid's damping.
-double ring(double amplitude, double radius, double r, double t, double depth) {
-    constexpr int steps = 4000;
-    const double max_k = 12 / radius, step = max_k / steps;
-    double sum = 0;
-    for (int i = 0; i < steps; ++i) {
-        const double k = (i + 0.5) * step, gravity_and_tension = 9.80665 * k + 0.074 / 1025 * k * k * k;
-        const double omega = std::sqrt(gravity_and_tension * std::tanh(k * depth));
-        const double damping = std::exp(-(2 * 2e-3 * k * k + 0.01) * t);
-        sum += std::exp(-k * k * radius * radius / 4) * ::j0(k * r) * std::cos(omega * t) * damping * k * step;
-    }
-    return amplitude * radius * radius / 2 * sum;
-}
-
-TEST_F(ExportEvents, ADropMakesTheRingsOfLinearTheory) {
-    write_file(events(), "radius,z,x,time,height\n1.5,0,0,0.5,0.4\n");
-    for (const char* depth : {"4000", "0.5"}) {
-        made(
-            {"export", "--out", place("drop").string(), "--events", events().string(), "--maps", "none",
-             "--resolution", "16", "--cascades", "1", "--fps", "2", "--frames", "2-5", "--no-sync", "--depth", depth},
-            "drop");
-        // The drop starts at the tick of 0.5 s, and a frame shows the tick before it, so the drop's
-        // age is the difference of the times.
-        for (const int frame : {2, 3, 5}) {
-            const ReadImage image = map("drop", "dynamic-waves_000" + std::to_string(frame) + ".exr");
-            ASSERT_EQ(image.width, 256);
-            double worst = 0, max = 0;
-            for (int texel = 0; texel < 64; ++texel) {  // up to 16 m; the border begins at 20 m
-                const double wanted = ring(0.4, 1.5, texel * 0.25, frame * 0.5 - 0.5, std::stod(depth));
-                max = std::max(max, std::fabs(wanted));
-                for (const auto& [column, row] : {std::pair{128 + texel, 128}, {128, 128 - texel}})
-                    worst = std::max(worst, std::fabs(image.at(column, row, 0) - wanted));
-            }
-            // The grid holds only waves that fit its side. On 64 m that causes an error of 1 % of
-            // the drop.
-            EXPECT_LT(worst, 0.01 * 0.4) << frame << " at " << depth << " m";
-            EXPECT_GT(max, 0.05);
-        }
-        std::filesystem::remove_all(place("drop"));
-    }
-}
-
 // 800 drops of 100 m at one position and time: 80 km high, with vertical velocities of as many
 // cm/s.
 TEST_F(ExportEvents, HeightsBeyondTheLargestHalfAreClampedWithOneNote) {

@@ -218,22 +218,6 @@ TEST(ExportedFoam, OfSeveralCascadesIsOnePatch) {
     EXPECT_EQ(run_pelagic({"verify", folder.path().string()}).exit_code, 0);
 }
 
-// Monahan and O'Muircheartaigh 1980: 3.84e-6 U^3.41. The patch has reference points, which crowd at
-// breaking crests: their mean is 1.09 to 1.12 times that of the sea's area. Three square kilometres of one seed scatter
-// by a few percent.
-TEST(ExportedFoam, OfSeveralCascadesCoversTheMeasuredFraction) {
-    const TemporaryFolder folder;
-    const Outcome outcome = run_pelagic({"export", "--no-sync", "--out", folder.path().string(), "--wind-speed", "20",
-                                         "--resolution", "64", "--maps", "foam", "--bit-depth", "float", "--frames",
-                                         "8", "--fps", "0.1", "--foam-size", "20000", "--foam-pixels", "128"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    double sum = 0;
-    for (int number = 0; number < 8; ++number)
-        for (const float foam : read_grey_exr(folder / ("foam_000" + std::to_string(number) + ".exr"), 128))
-            sum += double{foam};
-    EXPECT_NEAR(sum / (8 * 128 * 128) / (3.84e-6 * std::pow(20, 3.41)), 1.1, 0.1);
-}
-
 TEST(ExportedFoam, OptionsOfThePatchNeedOne) {
     const TemporaryFolder folder;
     const Arguments foam = {"export", "--out", (folder / "out").string(), "--maps", "foam"};

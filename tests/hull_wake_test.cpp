@@ -531,46 +531,6 @@ TEST(HullWake, FootprintsAreSavedAndRestored) {
 }
 
 // Of a hull that an application moves itself, by copies of its state and wake.
-TEST(HullWake, ARollbackOf30TicksReplaysBitEqual) {
-    Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 12},
-                {.executor = make_thread_executor(2),
-                 .queries = true,
-                 .velocities = true,
-                 .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
-    const Hull hull(boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000});
-    HullState state = hull.at_rest(3, -2, 0.4);
-    HullWake wake(ocean.dynamic_waves(), hull, state);
-    HullLoads loads;
-    HullWorkspace workspace;
-    const auto advance = [&](int tick) {
-        ocean.schedule(tick / 60.0);
-        const Frame& frame = ocean.complete();
-        wake.press(frame, state, loads, 1.0 / 60);
-        loads = hull.loads(SurfaceQuery(frame), state, 1.0 / 60, {.force = {}, .wake = &wake}, workspace);
-        hull.accelerate(state, loads, 1.0 / 60);
-        state.position_m += state.velocity_mps / 60.0;
-    };
-    for (int tick = 0; tick < 40; ++tick) advance(tick);
-    ocean.schedule(40 / 60.0);
-    ocean.complete();
-    const std::vector<std::uint8_t> saved = ocean.dynamic_waves().save_state();
-    const HullState saved_state = state;
-    const HullLoads saved_loads = loads;
-    const HullWake saved_wake = wake;
-    const auto replay = [&] {  // a frame of the saved tick again, and 30 more
-        for (int tick = 40; tick <= 70; ++tick) advance(tick);
-        return std::pair(state, hash_of(ocean.dynamic_waves().view()));
-    };
-    const auto once = replay();
-    ocean.dynamic_waves().restore_state(saved);
-    state = saved_state;
-    loads = saved_loads;
-    wake = saved_wake;
-    const auto again = replay();
-    EXPECT_EQ(once.second, again.second);
-    EXPECT_TRUE(equal(once.first, again.first));
-}
-
 TEST(HullWake, AnUnusableFootprintIsRefused) {
     DynamicWaves waves({.resolution = 64, .side_m = 32, .border_m = 4});
     PressureFootprint footprint{.columns = 2, .rows = 2, .depth_m = {0, 0, 0, 0}};
