@@ -209,44 +209,6 @@ TEST(AnalyticCascades, DefaultCascadesChangeWavelengthsByLessThan7Percent) {
     EXPECT_LT(turned, 1 / 16.0) << "the same";
 }
 
-// Gerstner's wave (1802) in deep water: each particle moves on a circle whose diameter is the wave
-// height, once a period, delayed in proportion to its position. The shape travels at sqrt(g / k).
-TEST(AnalyticCascades, OneWaveIsATrochoid) {
-    const SeaState sea{.waves = WaveModel::analytic,
-                       .resolution = 128,
-                       .patch_size_m = 200,
-                       .choppiness = 1,
-                       .loop_period_s = 600,
-                       .wave_count = 1,
-                       .longest_wave_m = 50,
-                       .wave_strength = 2};
-    const PlaneWave wave = waves_of_cascades(sea).waves.at(0);
-    const double a = wave.amplitude_m, k = static_cast<double>(full_turn) * wave.turns_per_m();
-    EXPECT_GT(k * a, 0.3);
-    const double direction_x = wave.turns_per_m_x / wave.turns_per_m(),
-                 direction_z = wave.turns_per_m_z / wave.turns_per_m();
-    const double speed = wave.frequency_hz / wave.turns_per_m();
-    EXPECT_NEAR(speed, std::sqrt(9.80665 / k), 0.01 * speed) << "600 s hold a hundred periods";
-    Ocean ocean(sea, everything());
-    for (const double time_s : {0.0, 2.5, 17.0}) {
-        const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
-        for (int j = 0; j < 128; j += 5) {
-            for (int i = 0; i < 128; i += 3) {
-                const double moved = cascade.dx.at(i, j) * direction_x + cascade.dz.at(i, j) * direction_z,
-                             height = cascade.height.at(i, j);
-                EXPECT_NEAR(cascade.dx.at(i, j) * direction_z - cascade.dz.at(i, j) * direction_x, 0, 1e-6 * a)
-                    << "along the wave";
-                ASSERT_NEAR(std::hypot(moved, height), a, 2e-6 * a);
-                const double delay =
-                    k * (i * cascade.texel_m() * direction_x + j * cascade.texel_m() * direction_z - speed * time_s) +
-                    static_cast<double>(full_turn) * wave.phase_turns;
-                ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(full_turn)), 0,
-                            4e-6);
-            }
-        }
-    }
-}
-
 TEST(AnalyticCascades, CascadePresetsEqualAnalyticPresets) {
     for (const AnalyticPreset& preset : analytic_presets()) {
         const SeaPreset* const on_cascades = sea_preset_named(preset.name);

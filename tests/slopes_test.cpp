@@ -137,6 +137,33 @@ double angle_between(const SurfaceNormal& a, const SurfaceNormal& b) {
     return std::atan2(std::sqrt(x * x + y * y + z * z), a.x * b.x + a.y * b.y + a.z * b.z);
 }
 
+/// Root mean squares over random positions, and the mean square slope of the exact surface.
+struct SlopeErrors {
+    double normal_deg = 0, jacobian = 0, steepness = 0;
+};
+
+/// Compares the normals and Jacobians of the sum of the filtered maps with those of the waves.
+SlopeErrors slope_errors(const std::vector<WaveCascade>& cascades, const std::vector<unfused::CascadeSlopes>& maps,
+                         const std::vector<SlopeRanges>& ranges, double choppiness, int points,
+                         std::mt19937& random) {
+    SlopeErrors squares;
+    std::uniform_real_distribution<double> place(-2000, 2000);
+    for (int p = 0; p < points; ++p) {
+        const double x = place(random), z = place(random);
+        SurfaceSlopes exact, shown;
+        for (std::size_t t = 0; t < cascades.size(); ++t) {
+            exact += exact_slopes(cascades[t], choppiness, x, z);
+            shown += filtered(cascades[t], maps[t], ranges[t], x, z);
+        }
+        const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
+        const double difference = normal_of(exact).y - normal_of(shown).y;
+        squares.normal_deg += degrees * degrees / points;
+        squares.jacobian += difference * difference / points;
+        squares.steepness += (exact.h_x * exact.h_x + exact.h_z * exact.h_z) / points;
+    }
+    return {std::sqrt(squares.normal_deg), std::sqrt(squares.jacobian), squares.steepness};
+}
+
 class SlopesOnEachIsa : public OnEachIsa {};
 INSTANTIATE_TEST_SUITE_P(Isas, SlopesOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
@@ -151,40 +178,19 @@ TEST(SlopeSum, OfRotatedCascadesIsNearTheExactSurface) {
     std::mt19937 random(5);
     std::vector<WaveCascade> cascades;
     std::vector<unfused::CascadeSlopes> maps;
+    std::vector<SlopeRanges> ranges;
     for (std::size_t t = 0; t < 4; ++t) {
         // The band of the cascade before ends at 6 to 7 steps of this cascade.
         const double min_steps = t == 0 ? 16 : n / 3.0 * sides[t] / sides[t - 1];
         const double part = std::log(n / 3.0 / min_steps) / octaves;
         cascades.push_back(random_cascade(n, sides[t], angles[t], min_steps, part * mean_square_slope, random));
-        maps.push_back(slopes_by(kernels_for(choose_isa()), planes_of(cascades[t], choppiness),
-                                 slope_ranges(cascades[t].mean_square_slope, cascades[t].mean_square_slope)));
+        ranges.push_back(slope_ranges(cascades[t].mean_square_slope, cascades[t].mean_square_slope));
+        maps.push_back(slopes_by(kernels_for(choose_isa()), planes_of(cascades[t], choppiness), ranges[t]));
     }
-    double normal_squares = 0, normal_max = 0, jacobian_squares = 0, jacobian_max = 0, steepness = 0;
-    constexpr int points = 4000;
-    std::uniform_real_distribution<double> place(-2000, 2000);
-    for (int p = 0; p < points; ++p) {
-        const double x = place(random), z = place(random);
-        SurfaceSlopes exact, shown;
-        for (std::size_t t = 0; t < cascades.size(); ++t) {
-            exact += exact_slopes(cascades[t], choppiness, x, z);
-            shown += filtered(cascades[t], maps[t],
-                              slope_ranges(cascades[t].mean_square_slope, cascades[t].mean_square_slope), x, z);
-        }
-        const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
-        const double difference = std::fabs(normal_of(exact).y - normal_of(shown).y);
-        normal_squares += degrees * degrees / points;
-        normal_max = std::max(normal_max, degrees);
-        jacobian_squares += difference * difference / points;
-        jacobian_max = std::max(jacobian_max, difference);
-        steepness += (exact.h_x * exact.h_x + exact.h_z * exact.h_z) / points;
-    }
-    EXPECT_NEAR(steepness, mean_square_slope, 0.2 * mean_square_slope) << "the sea that the bounds are for";
-    EXPECT_LE(std::sqrt(normal_squares), 2);
-    EXPECT_LE(std::sqrt(jacobian_squares), 0.03);
-    RecordProperty("normal_rms_deg", std::to_string(std::sqrt(normal_squares)));
-    RecordProperty("normal_max_deg", std::to_string(normal_max));
-    RecordProperty("jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
-    RecordProperty("jacobian_max", std::to_string(jacobian_max));
+    const SlopeErrors errors = slope_errors(cascades, maps, ranges, choppiness, 4000, random);
+    EXPECT_NEAR(errors.steepness, mean_square_slope, 0.2 * mean_square_slope) << "the sea that the bounds are for";
+    EXPECT_LE(errors.normal_deg, 2);
+    EXPECT_LE(errors.jacobian, 0.03);
 }
 
 /// Returns all waves of a cascade at t = 0: h = sum of h0 e^{ikx} and its conjugate.
@@ -215,38 +221,19 @@ TEST(SlopeSum, OfAnOceansCascadesIsNearTheExactSurface) {
         ASSERT_EQ(frame.cascades.size(), static_cast<std::size_t>(cascades));
         std::vector<WaveCascade> waves;
         std::vector<unfused::CascadeSlopes> maps;
+        std::vector<SlopeRanges> ranges;
         for (std::size_t t = 0; t < plans.size(); ++t) {
             const Cascade& cascade = frame.cascades[t];
             waves.push_back(all_waves_of(sea, plans[t]));
+            ranges.push_back(cascade.slope_ranges);
             maps.push_back({{cascade.slopes_rgba8.begin(), cascade.slopes_rgba8.end()},
                             {cascade.moments_rgba8.begin(), cascade.moments_rgba8.end()},
                             {}});
         }
         std::mt19937 random(2);
-        std::uniform_real_distribution<double> place(-2000, 2000);
-        double normal_squares = 0, jacobian_squares = 0, exact_squares = 0, shown_squares = 0;
-        constexpr int points = 600;
-        for (int p = 0; p < points; ++p) {
-            const double x = place(random), z = place(random);
-            SurfaceSlopes exact, shown;
-            for (std::size_t t = 0; t < plans.size(); ++t) {
-                exact += exact_slopes(waves[t], sea.choppiness, x, z);
-                shown += filtered(waves[t], maps[t], frame.cascades[t].slope_ranges, x, z);
-            }
-            const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
-            const double difference = normal_of(exact).y - normal_of(shown).y;
-            normal_squares += degrees * degrees / points;
-            jacobian_squares += difference * difference / points;
-            exact_squares += (exact.h_x * exact.h_x + exact.h_z * exact.h_z) / points;
-            shown_squares += (shown.h_x * shown.h_x + shown.h_z * shown.h_z) / points;
-        }
-        EXPECT_LE(std::sqrt(normal_squares), 2) << cascades;
-        EXPECT_LE(std::sqrt(jacobian_squares), 0.03) << cascades;
-        const std::string which = std::to_string(cascades) + "_cascades_";
-        RecordProperty(which + "normal_rms_deg", std::to_string(std::sqrt(normal_squares)));
-        RecordProperty(which + "jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
-        RecordProperty(which + "mean_square_slope", std::to_string(exact_squares));
-        RecordProperty(which + "mean_square_slope_shown", std::to_string(shown_squares));
+        const SlopeErrors errors = slope_errors(waves, maps, ranges, sea.choppiness, 600, random);
+        EXPECT_LE(errors.normal_deg, 2) << cascades;
+        EXPECT_LE(errors.jacobian, 0.03) << cascades;
     }
 }
 

@@ -75,24 +75,25 @@ TEST(WhitecapCover, IsThatOfMeasurementsAtSea) {
     }
 }
 
+// 18 seeds give 1.02 and 1.03 with a deviation of 0.01 a seed.
 TEST(WhitecapCover, DependsNeitherOnChoppinessNorOnTheWindDirection) {
     if (is_sanitized) return;
     for (const double choppiness : {0.3, 1.0}) {
         SeaState sea = windy_sea(1, 15);
         sea.choppiness = choppiness;
         sea.wind_direction_rad = 0.7;
-        EXPECT_NEAR(cover_over_measured_at_sea(sea, 3, 40), 1, 0.2) << choppiness;
+        EXPECT_NEAR(cover_over_measured_at_sea(sea, 3, 40), 1, 0.05) << choppiness;
     }
 }
 
-// Long waves contract the water more in shallow water, and the thresholds follow. Other seeds give
-// 0.98 to 1.02.
+// Long waves contract the water more in shallow water, and the thresholds follow. 18 seeds give 1.04
+// with a deviation of 0.06 a seed, because few waves of the grid form the swell: 0.04 for three.
 TEST(WhitecapCover, HoldsInShallowWater) {
     if (is_sanitized) return;
     SeaState sea = windy_sea(1, 12);
     sea.depth_m = 8;
     sea.swell_height_m = 2.5;
-    EXPECT_NEAR(cover_over_measured_at_sea(sea, 3, 40), 1, 0.2);
+    EXPECT_NEAR(cover_over_measured_at_sea(sea, 3, 40), 1, 0.08);
 }
 
 }  // namespace
