@@ -56,8 +56,8 @@ double cover_over_measured_at_sea(const SeaState& sea, int seeds, int frames) {
 // Measured with many seeds: 1.00 to 1.03 for four cascades, 0.97 to 1.04 for one. All bounds are
 // less than the scatter of the measurements at sea.
 TEST(WhitecapCover, IsThatOfMeasurementsAtSea) {
-    if (is_sanitized) {
-        EXPECT_NEAR(cover_over_measured_at_sea(windy_sea(4, 25), 2, 10), 1, 0.2);
+    if (is_sanitized) {  // pairs of eight seeds give 1.04 to 1.06 in so few frames
+        EXPECT_NEAR(cover_over_measured_at_sea(windy_sea(4, 25), 2, 10), 1, 0.08);
         return;
     }
     const int more = of_sweep(1, 4);
