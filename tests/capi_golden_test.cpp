@@ -215,6 +215,9 @@ TEST(CInterfaceGolden, ASeaLevelAndACurrent) {
     GoldenRows rows("lifted");
     for (std::size_t i = 0; i < height.size(); ++i) rows.row(std::to_string(i), {height[i]});
     rows.expect();
+    samples.foam = height.data();
+    expect_rejected(pelagic_ocean_query(ocean.get(), &points, &samples),
+                    "the frame has no foam: the ocean was created without pelagic_ocean_options.foam");
     water.sea_level_m = std::bit_cast<double>(0x7ff8000000000000);
     expect_rejected(pelagic_ocean_set_water_frame(ocean.get(), &water),
                     "sea_level_m nan is out of range [-1000, 1000]");

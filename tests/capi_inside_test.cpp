@@ -73,9 +73,11 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
         EXPECT_EQ(c_frame.foam_drift_x_mps, frame.statistics.foam_drift_x_mps);
         EXPECT_EQ(c_frame.foam_drift_z_mps, frame.statistics.foam_drift_z_mps);
         ASSERT_EQ(pelagic_ocean_foam_hash(made, &hash), has_all ? PELAGIC_OK : PELAGIC_INVALID_ARGUMENT);
-        if (has_all) {
+        if (has_all)
             EXPECT_EQ(hash, foam_hash_of(frame));
-        }
+        else
+            EXPECT_STREQ(pelagic_last_error(),
+                         "the ocean has no foam: it was created without pelagic_ocean_options.foam");
         EXPECT_EQ(std::memcmp(&c_frame.bounds, &frame.bounds, sizeof c_frame.bounds), 0);
         for (std::size_t t = 0; t < 4; ++t) {
             pelagic_cascade c{};
@@ -99,6 +101,8 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
             expect_same(c.slopes_rgba8, cascade.slopes_rgba8);
             expect_same(c.moments_rgba8, cascade.moments_rgba8);
             expect_same(c.compression_r8, cascade.compression_r8);
+            for (std::size_t image = 0; image < cascade.snapshots_rgba8.size(); ++image)
+                expect_same(c.snapshots_rgba8[image], cascade.snapshots_rgba8[image]);
             EXPECT_EQ(std::memcmp(&c.bounds, &cascade.bounds, sizeof c.bounds), 0);
         }
         pelagic_ocean_destroy(made);
