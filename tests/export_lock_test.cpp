@@ -10,29 +10,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
-
-template <class Condition>
-bool comes_true(Condition condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (std::chrono::steady_clock::now() < deadline) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return false;
-}
 
 /// An export of many frames that is stopped by a signal while it runs, so that it holds the
 /// folder's lock until the test ends it.

@@ -5,9 +5,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
-#include <thread>
 
 #include "pelagic/tests/run_pelagic.hpp"
 
@@ -17,17 +15,12 @@ namespace {
 const std::string journal_file = ".pelagic-export.jsonl";
 
 /// Waits until the running export has journaled `lines` lines and the journal contains `text`.
-/// Returns false after 30 s.
 bool wait_for_journal(const std::filesystem::path& folder, int lines, const std::string& text) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (std::chrono::steady_clock::now() < deadline) {
-        if (std::filesystem::exists(folder / journal_file)) {
-            const std::string now = read_file(folder / journal_file);
-            if (now.find(text) != std::string::npos && std::count(now.begin(), now.end(), '\n') >= lines) return true;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return false;
+    return comes_true([&] {
+        if (!std::filesystem::exists(folder / journal_file)) return false;
+        const std::string now = read_file(folder / journal_file);
+        return now.find(text) != std::string::npos && std::count(now.begin(), now.end(), '\n') >= lines;
+    });
 }
 
 class StoppedExport : public testing::TestWithParam<int> {};

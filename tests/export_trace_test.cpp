@@ -4,12 +4,10 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
@@ -171,10 +169,7 @@ TEST(ExportTrace, IsWrittenWhenTheExportIsStopped) {
     const pid_t process = start_pelagic(
         export_with_mips(folder / "sea", {"--frames", "4000", "--trace", (folder / "trace.json").string()}),
         logs / "out", logs / "err");
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (!std::filesystem::exists(folder / "sea" / "compression_0002.exr") &&
-           std::chrono::steady_clock::now() < deadline)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "sea" / "compression_0002.exr"); }));
     ::kill(process, SIGTERM);
     EXPECT_EQ(wait_for(process), 128 + SIGTERM) << read_file(logs / "err");
     const std::vector<json> events = checked_events(folder / "trace.json");

@@ -8,11 +8,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
@@ -91,9 +89,7 @@ TEST(RenderCommand, StopsWithOneLineAndLeavesCompleteImages) {
     const pid_t process = start_pelagic({"render", "--preset", "calm", "--size", "64x36", "--quality", "low",
                                          "--frames", std::to_string(frames), "--out", (folder / "sea.png").string()},
                                         logs / "out", logs / "err");
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-    while (!std::filesystem::exists(folder / "sea_0001.png") && std::chrono::steady_clock::now() < deadline)
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "sea_0001.png"); }));
     ::kill(process, SIGINT);
     EXPECT_EQ(wait_for(process), 128 + SIGINT);
     EXPECT_EQ(read_file(logs / "out"), "");

@@ -3,10 +3,12 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace pelagic {
@@ -68,5 +70,16 @@ std::vector<std::string> lines_of(const std::string& text);
 
 /// Returns every file of a folder, including hidden files, and its bytes.
 Files files_in(const std::filesystem::path& folder);
+
+/// Waits until the condition holds. Returns false after two minutes.
+template <class Condition>
+bool comes_true(Condition condition) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > deadline) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return true;
+}
 
 }  // namespace pelagic
