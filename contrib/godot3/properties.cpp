@@ -50,14 +50,6 @@ OceanProperty field_property(std::string name, Options OceanSettings::*member, c
         std::string(field.accepted));
 }
 
-/// A property of a SeaState field, with the range in sea_state_fields().
-OceanProperty sea_property(std::string_view name, std::string range, PropertyHint hint = hint_range) {
-    const auto fields = sea_state_fields();
-    const auto field =
-        std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
-    return field_property(std::string(name), &OceanSettings::sea, *field, std::move(range), hint);
-}
-
 /// Appends a property for each field of a table. Its name is the prefix and the field's name.
 template <class Options>
 void add_fields(std::vector<OceanProperty>& all, const std::string& prefix, Options OceanSettings::*member,
@@ -182,29 +174,31 @@ OceanProperty shore_heights_property() {
             "a PoolRealArray"};
 }
 
-std::vector<OceanProperty> ocean_property_table() {
-    const auto direction = [](std::string name, double OceanSettings::*member) {
-        return ranged(
+/// The options of the sea: each number of sea_state_fields(), and directions in degrees.
+void add_sea(std::vector<OceanProperty>& all) {
+    const auto direction = [&](std::string name, double OceanSettings::*member) {
+        all.push_back(ranged(
             std::move(name), type_real, -360, 360, "-360,360,1", "[-360, 360]",
             [member](const OceanSettings& settings) { return settings.*member; },
-            [member](OceanSettings& settings, double value) { settings.*member = value; });
+            [member](OceanSettings& settings, double value) { settings.*member = value; }));
     };
+    static const std::vector<NumericField<SeaState>> fields = [] {
+        std::vector<NumericField<SeaState>> in_own_unit;
+        for (const SeaStateField& field : sea_state_fields())
+            if (!field.name.ends_with("_rad")) in_own_unit.push_back(field);
+        return in_own_unit;
+    }();
+    add_fields<SeaState>(all, "", &OceanSettings::sea, fields);
+    direction("wind_direction_deg", &OceanSettings::wind_direction_deg);
+    direction("swell_direction_deg", &OceanSettings::swell_direction_deg);
+}
+
+std::vector<OceanProperty> ocean_property_table() {
     std::vector<OceanProperty> all = {
         choice("preset", preset_names(), &OceanSettings::preset,
-               [](std::string_view name) { return name == no_preset || sea_preset_named(name); }),
-        sea_property("wind_speed_mps", "0.1,60,0.1"),
-        direction("wind_direction_deg", &OceanSettings::wind_direction_deg),
-        sea_property("fetch_m", "1000,2000000,1000", hint_exp_range),
-        sea_property("depth_m", "0.1,11000,0.1", hint_exp_range),
-        sea_property("choppiness", "0,1,0.01"),
-        sea_property("swell_height_m", "0,30,0.1"),
-        sea_property("swell_period_s", "1,40,0.1"),
-        direction("swell_direction_deg", &OceanSettings::swell_direction_deg),
-        sea_property("seed", "0,4294967295,1"),
-        sea_property("loop_period_s", "0.1,86400,0.1", hint_exp_range),
-        sea_property("cascades", "0,4,1"),
-        sea_property("resolution", "0,2048,1"),
-        sea_property("patch_size_m", "0,1000000,1"),
+               [](std::string_view name) { return name == no_preset || sea_preset_named(name); })};
+    add_sea(all);
+    const std::vector<OceanProperty> others = {
         flag("foam", &OceanSettings::foam),
         flag("velocities", &OceanSettings::velocities),
         choice("interpolation", "linear,cubic", &OceanSettings::interpolation,
@@ -229,6 +223,7 @@ std::vector<OceanProperty> ocean_property_table() {
         flag("dynamic_waves", &OceanSettings::dynamic_waves),
         step_property(),
     };
+    all.insert(all.end(), others.begin(), others.end());
     add_fields(all, "dynamic_waves_", &OceanSettings::dynamic_waves_options, dynamic_waves_fields());
     all.push_back(flag("spray", &OceanSettings::spray));
     add_fields(all, "spray_", &OceanSettings::spray_options, spray_fields());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 
 namespace pelagic::godot {
 namespace {
@@ -22,17 +23,15 @@ SeaState sea_of(const OceanSettings& settings) {
     sea.wind_direction_rad = settings.wind_direction_deg * degree;
     sea.swell_direction_rad = settings.swell_direction_deg * degree;
     if (const SeaPreset* preset = sea_preset_named(settings.preset)) {
-        const SeaState& named = preset->sea;
-        sea.waves = named.waves;
-        sea.wave_strength = named.wave_strength;
-        sea.wind_speed_mps = named.wind_speed_mps;
-        sea.fetch_m = named.fetch_m;
-        sea.choppiness = named.choppiness;
-        sea.wind_alignment = named.wind_alignment;
-        sea.swell_height_m = named.swell_height_m;
-        sea.swell_period_s = named.swell_period_s;
-        if (named.swell_height_m > 0) sea.swell_direction_rad = named.swell_direction_rad;
-        if (named.depth_m != SeaState{}.depth_m) sea.depth_m = named.depth_m;
+        const SeaState own = std::exchange(sea, preset->sea);
+        sea.cascades = own.cascades;
+        sea.resolution = own.resolution;
+        sea.patch_size_m = own.patch_size_m;
+        sea.seed = own.seed;
+        sea.loop_period_s = own.loop_period_s;
+        sea.wind_direction_rad = own.wind_direction_rad;
+        if (sea.swell_height_m == 0) sea.swell_direction_rad = own.swell_direction_rad;
+        if (sea.depth_m == SeaState{}.depth_m) sea.depth_m = own.depth_m;
     }
     return sea;
 }

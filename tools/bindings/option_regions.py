@@ -409,6 +409,13 @@ def page_table(schema):
     return lines
 
 
+def number_table(schema):
+    """A page's table of the numbers that languages without radians have."""
+    return ["| property | | range | default |", "|---|---|---|---|"] + [
+        f"| `{option.name}` | {named(option.text, str)} | {named(option.in_messages(), str)} | {javascript_number(option.default)} |"
+        for option in schema.options if not option.enum and option.unit != "rad"]
+
+
 RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "enumeration-checks": enumeration_checks, "c-members": c_fields,
              "c-enumerations": c_enums, "c-make": c_make, "c-checks": c_checks, "c-conversions": c_conversions,
-             "python-fields": python_fields, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table}
+             "python-fields": python_fields, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table, "numbers-of-page": number_table}
