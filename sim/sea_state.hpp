@@ -22,7 +22,7 @@ struct EnumNames<WaveModel> {
 };
 
 enum class SpectrumModel {
-    /// Scaled as in VR Ocean; one cascade, no swell.
+    /// Scaled as in VR Ocean, without a swell.
     phillips_paper,
     /// Phillips' shape with a physical height.
     phillips,
@@ -64,8 +64,7 @@ struct SeaState {
     // generated from schema/sea.toml: members
     /// Wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, short_wave_cutoff,
     /// wind_alignment, the swell and seed. Only the other models use wave_count and the options
-    /// after it. All models use the wind, whose direction is that of their waves. A pond has one
-    /// cascade.
+    /// after it. All models use the wind, whose direction is that of their waves.
     WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;  ///< wave spectrum
     /// Directional spreading. The spectrum phillips-paper accepts only paper.

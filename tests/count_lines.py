@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints how large the tree is: lines and files of code by directory, without generated files, images and data.
+"""Prints how large the tree is: lines and files of code by directory, without generated files and regions, images and data.
 
     tests/count_lines.py [REVISION]     the working tree's tracked files, or those of a revision
 
@@ -14,6 +14,8 @@ import sys
 CODE = re.compile(r'\.(cpp|hpp|c|h|h\.in|hpp\.in|cpp\.in|py|sh|cs|js|mjs|ts|gd|glsl|hlsl|shader|cmake|html)$'
                   r'|(^|/)CMakeLists\.txt$')
 GENERATED = re.compile(r'\.g\.cs$|\.g\.hpp$|\.g\.cpp$|(^|/)pelagic_ctypes\.py$|(^|/)_generated[^/]*$')
+
+GENERATED_REGION = re.compile(r'(?<=\n)[^\n]*generated from schema/.*?end of generated[^\n]*\n', re.S)
 
 
 def git(*arguments):
@@ -38,7 +40,7 @@ def main():
         if not CODE.search(name) or GENERATED.search(name):
             continue
         directory = name.split('/')[0] if '/' in name else '(top)'
-        lines[directory] += len(text_of(name).splitlines())
+        lines[directory] += len(GENERATED_REGION.sub('', text_of(name)).splitlines())
         files[directory] += 1
     for directory in sorted(lines):
         print(f'{directory:14} {files[directory]:5} files {lines[directory]:7} lines')

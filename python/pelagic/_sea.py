@@ -48,9 +48,9 @@ class Sea:
     """Wave model: "spectrum", "analytic", "pond". Only a spectrum uses spectrum, spreading,
     fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed. Only the other models
     use wave_count and the options after it. All models use the wind, whose direction is that of
-    their waves. A pond has one cascade."""
+    their waves."""
     spectrum: str = "jonswap"
-    """Wave spectrum: "phillips-paper" (scaled as in VR Ocean; one cascade, no swell), "phillips"
+    """Wave spectrum: "phillips-paper" (scaled as in VR Ocean, without a swell), "phillips"
     (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
     "jonswap" (a sea that grows with the fetch)."""
     spreading: str = "paper"

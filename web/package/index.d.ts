@@ -13,12 +13,11 @@ export interface SeaOptions {
   /**
    * Wave model. Only a spectrum uses spectrum, spreading, fetchM, depthM, shortWaveCutoff,
    * windAlignment, the swell and seed. Only the other models use waveCount and the options after
-   * it. All models use the wind, whose direction is that of their waves. A pond has one cascade.
-   * Default "spectrum".
+   * it. All models use the wind, whose direction is that of their waves. Default "spectrum".
    */
   waves?: 'spectrum' | 'analytic' | 'pond';
   /**
-   * Wave spectrum. "phillips-paper": scaled as in VR Ocean; one cascade, no swell. "phillips":
+   * Wave spectrum. "phillips-paper": scaled as in VR Ocean, without a swell. "phillips":
    * Phillips' shape with a physical height. "pierson-moskowitz": a fully developed sea; no fetch.
    * "jonswap": a sea that grows with the fetch. Default "jonswap".
    */

@@ -30,7 +30,7 @@ class PelagicOcean(bpy.types.PropertyGroup):
     spectrum: EnumProperty(
         name="Spectrum", update=changed,
         default="jonswap", items=(
-            ("phillips-paper", "phillips-paper", "Scaled as in VR Ocean; one cascade, no swell", 0),
+            ("phillips-paper", "phillips-paper", "Scaled as in VR Ocean, without a swell", 0),
             ("phillips", "phillips", "Phillips' shape with a physical height", 1),
             ("pierson-moskowitz", "pierson-moskowitz", "A fully developed sea; no fetch", 2),
             ("jonswap", "jonswap", "A sea that grows with the fetch", 3)),
