@@ -194,15 +194,16 @@ TEST_P(PeerOf, HalvesAreWithinOneStepOfPelagics) {
     }
 }
 
-// Normals point down, and Jacobians are clamped, where the surface is overturned.
+// A byte of J is 127.5 (J + 1). J is below 0, and normals point down, where the surface is overturned;
+// J is clamped to 1 in stretched troughs.
 TEST(PeerCases, IncludeABreakingSea) {
     PaperFrame paper(cases().back().sea);
     const PeerFrame& frame = paper.frame_at(cases().back().time_s);
     std::size_t overturned = 0, clamped = 0;
     for (const std::uint32_t texel : frame.rgba8) {
         const std::uint32_t jacobian = texel >> 16 & 255;
-        overturned += jacobian < 120;
-        clamped += jacobian == 0;
+        overturned += jacobian < 127;
+        clamped += jacobian == 255;
     }
     EXPECT_GT(overturned, 100u);
     EXPECT_GT(clamped, 100u);

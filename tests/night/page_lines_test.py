@@ -45,7 +45,8 @@ def run_page(page):
     bin = pathlib.Path("build/release/bin")
     bin.mkdir(parents=True)
     (bin / "pelagic").symlink_to(pelagic)
-    pathlib.Path("examples").symlink_to(source / "examples")
+    for folder in ("bench", "examples"):
+        pathlib.Path(folder).symlink_to(source / folder)
     pathlib.Path("buoys.csv").write_text("0,0\n12.5,-3\n")
     pathlib.Path("island.png").write_bytes(floor_image())
     for line in lines:
