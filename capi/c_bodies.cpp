@@ -78,16 +78,14 @@ pelagic_status pelagic_bodies_set_state(pelagic_bodies* bodies, uint32_t number,
 pelagic_status pelagic_bodies_get_state(const pelagic_bodies* bodies, uint32_t number, pelagic_hull_state* state) {
     return guarded([&] {
         const HullState& ours = needed_bodies(bodies).state(number);
-        struct_bytes(state, "state");
-        write_hull_state(ours, state);
+        needed(state, "state") = c_hull_state_of(ours);
     });
 }
 
 pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t number, pelagic_hull_loads* loads) {
     return guarded([&] {
         const HullLoads& ours = needed_bodies(bodies).loads(number);
-        struct_bytes(loads, "loads");
-        write_hull_loads(ours, loads);
+        needed(loads, "loads") = c_hull_loads_of(ours);
     });
 }
 

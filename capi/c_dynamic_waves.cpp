@@ -218,8 +218,7 @@ pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, cons
 pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_waves* waves, pelagic_dynamic_waves_view* view) {
     return guarded([&] {
         const DynamicWavesView& ours = shown_view(waves);
-        struct_bytes(view, "view");
-        pelagic_dynamic_waves_view out{};
+        pelagic_dynamic_waves_view& out = needed(view, "view");
         out.resolution = ours.resolution;
         out.first_x = ours.first_x;
         out.first_z = ours.first_z;
@@ -229,7 +228,6 @@ pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_waves* waves
         out.foam = ours.foam.data();
         out.height_min_m = ours.bounds.height_min_m;
         out.height_max_m = ours.bounds.height_max_m;
-        write_struct(out, view);
     });
 }
 

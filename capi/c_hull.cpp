@@ -74,17 +74,16 @@ void compute(pelagic_hull* hull, const pelagic_ocean* ocean, pelagic_hull_state*
     const SurfaceQuery& water = needed_query(*ocean, reader);
     HullState moved = hull_state_of(state, "state");
     const HullInputs acting = inputs ? hull_inputs_of(inputs, "inputs") : HullInputs{};
-    if (loads) struct_bytes(loads, "loads");
     const HullLoads result = ours.loads(water, moved, step_s, acting, hull->workspace);
     if (accelerates) ours.accelerate(moved, result, step_s, acting);
-    write_hull_state(moved, state);
-    if (loads) write_hull_loads(result, loads);
+    *state = c_hull_state_of(moved);
+    if (loads) *loads = c_hull_loads_of(result);
 }
 
 }  // namespace
 
 HullState hull_state_of(const pelagic_hull_state* state, const char* name) {
-    const pelagic_hull_state from = read_struct(state, name);
+    const pelagic_hull_state& from = needed(state, name);
     const auto& q = from.orientation;
     return {.position_m = vector_of(from.position_m),
             .orientation = glm::dquat(q[3], q[0], q[1], q[2]),
@@ -102,7 +101,7 @@ HullInputs hull_inputs_of(const pelagic_hull_inputs* inputs, const char* name) {
             .wind_mps = vector_of(from.wind_mps)};
 }
 
-void write_hull_state(const HullState& state, pelagic_hull_state* to) {
+pelagic_hull_state c_hull_state_of(const HullState& state) {
     pelagic_hull_state out{};
     write(state.position_m, out.position_m);
     out.orientation[0] = state.orientation.x;
@@ -115,10 +114,10 @@ void write_hull_state(const HullState& state, pelagic_hull_state* to) {
     write(state.water_rotation_radps, out.water_rotation_radps);
     out.submersion = state.submersion;
     out.has_previous_step = state.has_previous_step;
-    write_struct(out, to);
+    return out;
 }
 
-void write_hull_loads(const HullLoads& loads, pelagic_hull_loads* to) {
+pelagic_hull_loads c_hull_loads_of(const HullLoads& loads) {
     pelagic_hull_loads out{};
     out.total = c_force_of(loads.total());
     out.pressure = c_force_of(loads.pressure);
@@ -132,7 +131,7 @@ void write_hull_loads(const HullLoads& loads, pelagic_hull_loads* to) {
     out.water_slope_z = loads.water_slope_z;
     write(loads.water_velocity_mps, out.water_velocity_mps);
     write(loads.water_acceleration_mps2, out.water_acceleration_mps2);
-    write_struct(out, to);
+    return out;
 }
 
 }  // namespace pelagic::capi
@@ -175,10 +174,9 @@ void pelagic_hull_destroy(pelagic_hull* hull) { delete hull; }
 pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info* info) {
     return guarded([&] {
         const Hull& ours = needed(hull, "hull").hull;
-        struct_bytes(info, "info");
         const HullMesh& mesh = ours.mesh();
         const HullAfloat& afloat = ours.afloat();
-        pelagic_hull_info out{};
+        pelagic_hull_info& out = needed(info, "info");
         out.floats = afloat.floats;
         out.volume_m3 = mesh.volume_m3();
         write(mesh.centre_m(), out.centre_m);
@@ -194,7 +192,6 @@ pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info
         out.digest = ours.digest();
         out.vertex_count = static_cast<std::int32_t>(mesh.vertices().size());
         out.triangle_count = static_cast<std::int32_t>(mesh.triangles().size());
-        write_struct(out, info);
     });
 }
 
@@ -203,10 +200,10 @@ pelagic_status pelagic_hull_at_rest(const pelagic_hull* hull, double x_m, double
     return guarded([&] {
         const Hull& ours = needed(hull, "hull").hull;
         if (!std::isfinite(heading_rad)) reject(invalid_value_message("heading_rad", heading_rad, "a finite number"));
-        struct_bytes(state, "state");
+        needed(state, "state");
         const HullState rest = ours.at_rest(x_m, z_m, heading_rad);
         require(Hull::check(rest));
-        write_hull_state(rest, state);
+        *state = c_hull_state_of(rest);
     });
 }
 

@@ -11,13 +11,12 @@ struct pelagic_hull {
 
 namespace pelagic::capi {
 
-/// Convert structs of the application. Throw std::invalid_argument for null and a wrong
+/// Convert structs of the application. Throw std::invalid_argument for null, and inputs for a wrong
 /// struct_size; Hull::check() checks the values.
 HullState hull_state_of(const pelagic_hull_state* state, const char* name);
 HullInputs hull_inputs_of(const pelagic_hull_inputs* inputs, const char* name);
 
-/// Write structs of the application. \pre struct_bytes() accepted them
-void write_hull_state(const HullState& state, pelagic_hull_state* to);
-void write_hull_loads(const HullLoads& loads, pelagic_hull_loads* to);
+pelagic_hull_state c_hull_state_of(const HullState& state);
+pelagic_hull_loads c_hull_loads_of(const HullLoads& loads);
 
 }  // namespace pelagic::capi

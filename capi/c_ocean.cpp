@@ -286,15 +286,13 @@ void pelagic_ocean_destroy(pelagic_ocean* ocean) { delete ocean; }
 pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_info* info) {
     return guarded([&] {
         const Ocean& sea = needed(ocean, "ocean").ocean;
-        struct_bytes(info, "info");
-        pelagic_ocean_info out{};
+        pelagic_ocean_info& out = needed(info, "info");
         out.resolution = sea.resolution();
         out.cascade_count = static_cast<std::int32_t>(sea.cascade_count());
         out.threads = sea.executor().thread_limit();
         out.memory_bytes = sea.memory_bytes();
         out.isa = name_of(sea.isa()).data();          // names are literals, so they end in 0
         out.executor = sea.executor().name().data();  // a literal too
-        write_struct(out, info);
     });
 }
 
@@ -342,24 +340,24 @@ pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready)
 pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame) {
     return guarded([&] {
         need_frame_in_flight(needed(ocean, "ocean"));
-        struct_bytes(frame, "frame");
+        pelagic_frame& out = needed(frame, "frame");
         ocean->frame_in_flight = false;  // also if complete() throws
         const Frame& completed = ocean->ocean.complete();
         ocean->has_completed = true;
         set_current(*ocean, completed);
-        write_struct(c_frame_of(completed), frame);
+        out = c_frame_of(completed);
     });
 }
 
 pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, pelagic_cascade* cascade) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        struct_bytes(cascade, "cascade");
+        pelagic_cascade& out = needed(cascade, "cascade");
         const std::span<const Cascade> cascades = ocean->current->cascades;
         if (index < 0 || static_cast<std::size_t>(index) >= cascades.size())
             reject(invalid_value_message("index", index,
                                          cascades.size() == 1 ? "0" : "0 to " + number_text(cascades.size() - 1)));
-        write_struct(c_cascade_of(cascades[static_cast<std::size_t>(index)]), cascade);
+        out = c_cascade_of(cascades[static_cast<std::size_t>(index)]);
     });
 }
 

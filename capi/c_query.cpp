@@ -93,8 +93,8 @@ pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic
         const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
         const SurfaceQuery& query = needed_query(*ocean, reader);
         const SurfaceRay ours = ray_of(read_struct(ray, "ray"), query.frame());
-        struct_bytes(hit, "hit");
+        pelagic_hit& out = needed(hit, "hit");
         const std::optional<SurfaceHit> found = first_hit(query, ours);
-        write_struct(found ? c_hit_of(*found) : pelagic_hit{}, hit);
+        out = found ? c_hit_of(*found) : pelagic_hit{};
     });
 }

@@ -120,7 +120,7 @@ pelagic_status pelagic_sea_check(const pelagic_sea* sea) {
 
 pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics* statistics) {
     return guarded([&] {
-        struct_bytes(statistics, "statistics");
+        pelagic_statistics& out = needed(statistics, "statistics");
         const SeaState state = sea_of(sea);
         if (const std::string reason = check(state); !reason.empty()) reject(reason);
         const SeaReport report = report_on(state);
@@ -156,6 +156,6 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         all.realised_swell_peak_period_s = swell.realised_peak_period_s.value_or(0);
         all.effective_fetch_m = report.effective_fetch_m.value_or(0);
         all.repeats_after_m = repeat_length_m(state);
-        write_struct(all, statistics);
+        out = all;
     });
 }

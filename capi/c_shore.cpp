@@ -57,8 +57,7 @@ pelagic_status pelagic_shore_defaults(pelagic_shore_options* options) {
 pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_surface* surface) {
     return guarded([&] {
         const ShoreSurface& shore = shown_shore(needed(ocean, "ocean"));
-        struct_bytes(surface, "surface");
-        pelagic_shore_surface out{};
+        pelagic_shore_surface& out = needed(surface, "surface");
         out.columns = shore.columns;
         out.rows = shore.rows;
         out.weights_change_per_m = shore.weights_change_per_m;
@@ -74,7 +73,6 @@ pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_sur
         out.height_min_m = shore.bounds.height_min_m;
         out.height_max_m = shore.bounds.height_max_m;
         out.potential_m2ps = shore.potential_m2ps.data();
-        write_struct(out, surface);
     });
 }
 

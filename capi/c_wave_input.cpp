@@ -43,7 +43,6 @@ pelagic_input_rows c_rows_of(const InputRows& rows) {
     const InputMoment& moment = rows.moment;
     const CascadeGrid& grid = rows.grid();
     pelagic_input_rows out{};
-    out.struct_size = sizeof out;
     out.cascade = static_cast<std::int32_t>(rows.cascade);
     out.time_s = moment.time_s;
     out.loop_period_s = moment.loop_period_s;

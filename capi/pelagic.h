@@ -1,7 +1,7 @@
 /* C interface of Pelagic: FFT ocean waves on the CPU, multithreaded and vectorised.
  *
  *   pelagic_sea sea = {.struct_size = sizeof sea};
- *   pelagic_frame frame = {.struct_size = sizeof frame};
+ *   pelagic_frame frame;
  *   pelagic_ocean* ocean;
  *   pelagic_sea_defaults(&sea);
  *   sea.wind_speed_mps = 9;
@@ -11,7 +11,7 @@
  *       pelagic_ocean_complete(ocean, &frame);        // the frame scheduled last
  *       pelagic_ocean_schedule(ocean, t + 1.0 / 90);  // computes the next frame during drawing
  *       for (i = 0; i < frame.cascade_count; ++i) {
- *           pelagic_cascade cascade = {.struct_size = sizeof cascade};
+ *           pelagic_cascade cascade;
  *           pelagic_ocean_cascade(ocean, i, &cascade);  // of the frame completed last
  *           upload(cascade.displacement_rgba16f, cascade.slopes_rgba8, cascade.moments_rgba8);
  *       }
@@ -33,12 +33,12 @@
  * functions do not repeat these errors. A destroyed handle, or a pointer to less memory than
  * stated, cannot be detected: the behaviour is undefined.
  *
- * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Sizes
- * from that of the struct's first version 1.x to 4096 bytes are accepted; any other size gives
- * PELAGIC_INVALID_ARGUMENT. In a larger struct, of an application built with a newer header, the
- * library does not define the last fields. They must be 0 in structs that the library reads, and it
- * sets them to 0 in structs that it writes.
- * A reserved field that the library reads must be 0, or the call gives PELAGIC_INVALID_ARGUMENT.
+ * Structs. Those that the library reads begin with struct_size, which the caller sets to sizeof
+ * before any call. Later versions 1.x may add fields at their end. Sizes from that of the struct's
+ * first version to 4096 bytes are accepted; any other size gives PELAGIC_INVALID_ARGUMENT. In a
+ * larger struct, of an application built with a newer header, the fields that the library does not
+ * define must be 0. Structs that the library writes, and those inside other structs, have no
+ * struct_size: versions 1.x do not change them.
  *
  * Threads. Each function's comment names one of two rules:
  *   "one thread per ocean" (or per object): one thread at a time calls such functions of an object.
@@ -151,11 +151,21 @@ enum {
  * machines. */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    int32_t spectrum; /* PELAGIC_SPECTRUM_... */
+    /* Wave model, PELAGIC_WAVES_... A pond has one cascade. Only a spectrum uses spectrum,
+     * spreading, fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed; only the
+     * other models use wave_count and the fields from longest_wave_m on. */
+    int32_t waves;
+    int32_t spectrum;  /* PELAGIC_SPECTRUM_... */
+    int32_t spreading; /* PELAGIC_SPREADING_...; phillips-paper accepts only the paper's */
+    /* Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if patch_size_m is
+     * set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
+     * patch_size_m. */
+    int32_t cascades;
     /* N, texels along a side of a cascade; a power of two, 16 to 2048. 0: 128, or 256 if
      * patch_size_m is set. */
     int32_t resolution;
-    uint32_t seed; /* seed of the random phases and amplitudes */
+    uint32_t seed;      /* seed of the random phases and amplitudes */
+    int32_t wave_count; /* number of analytic waves (0: 16) or pond octaves (0: 24); 1 to 64 */
     /* Side of the only cascade; [0.001, 1e6]. 0: sides derived from the sea. */
     double patch_size_m;
     double wind_speed_mps;     /* U10, mean wind speed 10 m above the sea; (0, 60] */
@@ -174,23 +184,11 @@ typedef struct pelagic_sea {
     double wind_alignment;
     /* T, the period after which the sea repeats exactly; [0.1, 86400]. */
     double loop_period_s;
-    int32_t spreading;          /* PELAGIC_SPREADING_...; phillips-paper accepts only the paper's */
-    uint32_t reserved;          /* 0 */
     double swell_height_m;      /* significant wave height of the swell; 0: no swell; [0, 30] */
     double swell_period_s;      /* peak period of the swell; [1, 40] */
     double swell_direction_rad; /* direction the swell runs towards, as wind_direction_rad */
     /* Standard deviation of its directions; [pi/180, 4 pi/9]. */
     double swell_spread_rad;
-    /* Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if patch_size_m is
-     * set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
-     * patch_size_m. */
-    int32_t cascades;
-    uint32_t reserved_1; /* 0 */
-    /* Wave model, PELAGIC_WAVES_... A pond has one cascade. Only a spectrum uses spectrum,
-     * spreading, fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed; only the
-     * other models use the fields below. */
-    int32_t waves;
-    int32_t wave_count;     /* number of analytic waves (0: 16) or pond octaves (0: 24); 1 to 64 */
     double longest_wave_m;  /* longest wavelength; [0.02, 1000]. 0: 120, of a pond 1.2 */
     double shortest_wave_m; /* shortest wavelength; [0.01, 1000]. 0: longest / 60, of a pond / 45 */
     double wave_strength;   /* 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2] */
@@ -225,8 +223,6 @@ PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
  * seeds, of the waves that the cascades hold. Fields that begin with `realised` belong to the waves
  * of this seed, as a mean over a loop. A value that a sea does not have is 0. */
 typedef struct pelagic_statistics {
-    uint32_t struct_size;
-    uint32_t reserved;
     double expected_wave_height_m; /* significant wave height, 4 sqrt(variance) */
     double realised_wave_height_m;
     /* Of all waves of the model; 0 for phillips-paper, which has no scale. */
@@ -307,7 +303,6 @@ typedef struct pelagic_executor_options {
      * its quota; of PELAGIC_EXECUTOR_THREADS with a mask, of these the CPUs of the mask; of
      * PELAGIC_EXECUTOR_APPLICATION, 1. */
     int32_t threads;
-    uint32_t reserved; /* 0 */
     /* For PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i allows the pool's threads
      * to run on CPU i; 0 allows all CPUs. */
     uint64_t cpu_mask;
@@ -370,7 +365,20 @@ typedef struct pelagic_ocean_options {
     /* Nonzero enables velocities; 12 N^2 bytes for each cascade of a frame, and about twice as many
      * transforms. */
     int32_t velocities;
-    uint32_t reserved;                /* 0 */
+    /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
+     * a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
+     * which take as long as ten to twenty frames. 49 N^2 bytes for each cascade. */
+    int32_t foam;
+    /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes
+     * about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
+     * with queries, velocities, dynamic waves, a shore, spray or wave inputs. */
+    int32_t textures_only;
+    /* Slopes and moments of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has
+     * 2 or more cascades, with foam, and without gradients. Foam needs them. */
+    int32_t slopes;
+    /* Gradients of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has 1
+     * cascade, and without slopes. Slopes and gradients cannot both be off. */
+    int32_t gradients;
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
     /* "sse4.2", "avx2", "avx512" or "neon"; NULL: the environment variable PELAGIC_ISA, else the
      * widest that the CPU supports. */
@@ -382,31 +390,17 @@ typedef struct pelagic_ocean_options {
     pelagic_allocate allocate;
     pelagic_release release;
     void* memory_user; /* passed to both; must outlive the ocean */
-    /* Slopes and moments of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has
-     * 2 or more cascades, with foam, and without gradients. Foam needs them. */
-    int32_t slopes;
-    /* Gradients of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has 1
-     * cascade, and without slopes. Slopes and gradients cannot both be off. */
-    int32_t gradients;
-    /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
-     * a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
-     * which take as long as ten to twenty frames. 49 N^2 bytes for each cascade. */
-    int32_t foam;
-    /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes
-     * about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
-     * with queries, velocities, dynamic waves, a shore, spray or wave inputs. */
-    int32_t textures_only;
     /* Dynamic waves, which are added to the cascades; NULL: none. Read before the call returns. */
     const struct pelagic_dynamic_waves_options* dynamic_waves;
     /* A sea floor that refracts waves; NULL: none. Read before the call returns. */
     const struct pelagic_shore_options* shore;
+    /* Spray of breaking crests and emitters; NULL: none. Read before the call returns. A frame with a
+     * tick (eleven a second) computes the displacement once more. 3.8 MB. */
+    const struct pelagic_spray_options* spray;
     /* Wave inputs, which are added to the waves of the wind in this order; none may belong to
      * another ocean. The ocean keeps what it needs of them. */
     size_t input_count;
     struct pelagic_input* const* inputs; /* `input_count` handles; may be NULL if that is 0 */
-    /* Spray of breaking crests and emitters; NULL: none. Read before the call returns. A frame with a
-     * tick (eleven a second) computes the displacement once more. 3.8 MB. */
-    const struct pelagic_spray_options* spray;
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -436,7 +430,6 @@ PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
  * world. */
 typedef struct pelagic_water_frame {
     uint32_t struct_size;
-    uint32_t reserved;                   /* 0 */
     double sea_level_m;                  /* [-1000, 1000] */
     double current_x_mps, current_z_mps; /* [-10, 10] */
 } pelagic_water_frame;
@@ -451,15 +444,12 @@ typedef struct pelagic_water_frame {
 PELAGIC_API pelagic_status pelagic_ocean_set_water_frame(pelagic_ocean* ocean, const pelagic_water_frame* water);
 
 typedef struct pelagic_ocean_info {
-    uint32_t struct_size;
-    int32_t resolution; /* N, of each cascade */
-    int32_t threads;    /* maximum number of threads that work on a frame */
-    uint32_t reserved;
     uint64_t memory_bytes; /* all memory of the ocean, two frames and the spectrum included */
     const char* isa;
     const char* executor;  /* "serial", "thread", "tbb" or "application" */
+    int32_t resolution;    /* N, of each cascade */
     int32_t cascade_count; /* of every frame */
-    uint32_t reserved_1;
+    int32_t threads;       /* maximum number of threads that work on a frame */
 } pelagic_ocean_info;
 
 /* Writes the properties of an ocean. Threads: one thread per ocean. */
@@ -493,8 +483,8 @@ typedef struct pelagic_bounds {
  * undisplaced position x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz), in
  * metres. With more cascades, see pelagic_cascade. */
 typedef struct pelagic_frame {
-    uint32_t struct_size;
     int32_t resolution; /* N */
+    int32_t cascade_count;
     double time_s;
     double patch_size_m; /* L, the first cascade's side */
     pelagic_plane dx, height, dz;
@@ -509,21 +499,18 @@ typedef struct pelagic_frame {
      * VK_FORMAT_R8G8B8A8_UNORM. Level m begins at texel gradient_offset[m]. NULL and no levels if
      * absent, see pelagic_cascade. */
     const uint32_t* gradient_rgba8;
+    /* Drift velocity of foam in the world's axes, by wind and waves. */
+    double foam_drift_x_mps, foam_drift_z_mps;
     int32_t gradient_levels;
     uint32_t gradient_offset[12];
     pelagic_bounds bounds; /* of the sum of all cascades */
-    uint32_t reserved_1;
-    int32_t cascade_count;
     /* GGX's alpha of unresolved waves, in [0, 1]: its square is the mean square of the slopes that
      * no cascade holds. Smoothness is 1 - sqrt(roughness). */
     float roughness;
-    /* Drift velocity of foam in the world's axes, by wind and waves. */
-    double foam_drift_x_mps, foam_drift_z_mps;
     /* Foam, see pelagic_cascade. The level is 1000 if the sea has no whitecaps, and without
      * pelagic_ocean_options.foam. */
     float foam_level;
     float foam_age[16]; /* 1 and more: the snapshot has no effect */
-    uint32_t reserved_2;
 } pelagic_frame;
 
 /* A cascade: a wavelength band and its square domain, which repeats along its own two axes. The
@@ -573,8 +560,8 @@ typedef struct pelagic_frame {
  * (i, j) has those of texel (i - drift_columns, j - drift_rows). Images 0 and 1 hold every second
  * snapshot, and a cheap reader may use these alone. */
 typedef struct pelagic_cascade {
-    uint32_t struct_size;
     int32_t resolution; /* N */
+    int32_t levels;     /* number of levels of each chain that is not NULL */
     double side_m;      /* L */
     /* Of the angle by which the cascade's axes are rotated from +x to +z; 1 and 0: not rotated. */
     double cosine, sine;
@@ -585,11 +572,6 @@ typedef struct pelagic_cascade {
     const uint32_t* gradient_rgba8;
     /* NULL without pelagic_ocean_options.slopes. */
     const uint32_t *slopes_rgba8, *moments_rgba8;
-    float slope_range, variance_range;
-    int32_t levels;            /* number of levels of each chain that is not NULL */
-    uint32_t level_offset[12]; /* first texel of level m in each chain */
-    pelagic_bounds bounds;
-    uint32_t reserved_1;
     /* N^2 bytes in tight rows, and four chains of `levels` levels. NULL without
      * pelagic_ocean_options.foam, and for a cascade that makes no foam. */
     const uint8_t* compression_r8;
@@ -598,9 +580,11 @@ typedef struct pelagic_cascade {
      * times a second one image changes. */
     uint64_t snapshots_version[4];
     double drift_columns, drift_rows; /* texels, [0, N) */
+    uint32_t level_offset[12];        /* first texel of level m in each chain */
+    pelagic_bounds bounds;
+    float slope_range, variance_range;
     /* q over -(D_xx + D_zz) of this cascade: the compression of slopes_rgba8. */
     float compression_scale;
-    uint32_t reserved_2;
 } pelagic_cascade;
 
 /* Starts a frame and returns immediately.
@@ -765,7 +749,6 @@ PELAGIC_API pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean);
  * frame remains a pure function of the forecast and the time, in any order. */
 typedef struct pelagic_change {
     uint32_t struct_size;
-    uint32_t reserved;      /* 0 */
     const pelagic_sea* sea; /* the sea after the transition; read before the call returns */
     double from_s;          /* start; not before the end of the preceding change */
     double over_s;          /* duration; (0, 1e9] */
@@ -869,7 +852,6 @@ typedef struct pelagic_disturbance {
     uint32_t struct_size;
     int32_t shape;      /* PELAGIC_SHAPE_... */
     int32_t mode;       /* PELAGIC_DISTURBANCE_... */
-    uint32_t reserved;  /* 0 */
     double x_m, z_m;    /* position in the world; [-1e8, 1e8] */
     double radius_m;    /* of a hull half its beam; [0.001, 1000] */
     double length_m;    /* of a hull half its length; [0.001, 1000] */
@@ -894,7 +876,6 @@ typedef struct pelagic_dynamic_waves pelagic_dynamic_waves;
 
 typedef struct pelagic_dynamic_waves_resources {
     uint32_t struct_size;
-    uint32_t reserved;                /* 0 */
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
     const char* isa;                  /* as pelagic_ocean_options.isa */
     pelagic_allocate allocate;        /* both functions or neither; NULL: operator new */
@@ -1018,14 +999,13 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* 
  * Texel (i, j) of the world's grid has the position x = i texel_m, z = j texel_m. It is in column
  * i mod N of row j mod N. The grid has first_x <= i < first_x + N, first_z <= j < first_z + N. */
 typedef struct pelagic_dynamic_waves_view {
-    uint32_t struct_size;
-    int32_t resolution; /* N, a power of two */
     int64_t first_x, first_z;
     double texel_m;
     const float* height_m; /* N^2, 0 at the grid's edges */
     /* N^2 vertical velocities at the frame's time. Impulses have no initial velocity. */
     const float* vertical_velocity_mps;
     const uint8_t* foam; /* N^2 */
+    int32_t resolution;  /* N, a power of two */
     float height_min_m, height_max_m;
 } pelagic_dynamic_waves_view;
 
@@ -1125,7 +1105,6 @@ PELAGIC_API pelagic_status pelagic_ocean_emit(pelagic_ocean* ocean, const pelagi
 /* Arrays of the application for droplets, in the world. NULL: not written. */
 typedef struct pelagic_droplets {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
     size_t room;       /* size of each array; 8192 are always enough */
     double *x_m, *y_m, *z_m;
     float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
@@ -1210,9 +1189,7 @@ PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options
  * the edge are repeated beyond it); all else is bilinear. Beyond the rectangle, depths and weights
  * are those of the nearest position on its edge, and the height is 0, as on the edge. */
 typedef struct pelagic_shore_surface {
-    uint32_t struct_size;
     int32_t columns, rows;
-    float weights_change_per_m; /* largest change of a weight between positions a metre apart */
     double texel_m;
     double x_m, z_m;
     const float* depth_m;          /* of still water; below 0 on land */
@@ -1221,11 +1198,12 @@ typedef struct pelagic_shore_surface {
     const float* vertical_velocity_mps;
     /* Envelope of the crests of the passing waves: sand below it is wet. */
     const float* reach_m;
-    const uint8_t* foam;              /* of breaking waves */
-    float height_min_m, height_max_m; /* bounds of the height, between texels too */
+    const uint8_t* foam; /* of breaking waves */
     /* Velocity potential: its gradient is the horizontal velocity of these waves at the surface, by
      * linear theory. */
     const float* potential_m2ps;
+    float height_min_m, height_max_m; /* bounds of the height, between texels too */
+    float weights_change_per_m;       /* largest change of a weight between positions a metre apart */
 } pelagic_shore_surface;
 
 /* Writes a description of the shore of the frame completed last.
@@ -1254,7 +1232,6 @@ typedef struct pelagic_input pelagic_input;
  * cascade that holds waves of its length, and has a whole number of periods in a loop. */
 typedef struct pelagic_waves {
     uint32_t struct_size;
-    uint32_t reserved;           /* 0 */
     size_t count;                /* number of waves; at most 64, and 0 adds nothing */
     const double* amplitude_m;   /* `count` values, as in the arrays below; [0, 100] */
     const double* wavelength_m;  /* [0.01, 1000] */
@@ -1283,7 +1260,6 @@ PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const p
  *   amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase). */
 typedef struct pelagic_ripple {
     uint32_t struct_size;
-    uint32_t reserved;   /* 0 */
     double x_m, z_m;     /* centre; [-1e8, 1e8] */
     double wavelength_m; /* [0.01, 1000] */
     double amplitude_m;  /* at the centre; [0, 100], and at most wavelength_m / (2 pi) */
@@ -1310,20 +1286,18 @@ PELAGIC_API pelagic_status pelagic_input_set_ripple(pelagic_input* input, const 
  * metres a second along the world's axes. They must be finite and at most 1000 in magnitude.
  * pelagic_cascade gives the undisplaced positions of texels. */
 typedef struct pelagic_input_rows {
-    uint32_t struct_size;
-    int32_t cascade; /* 0 is the coarsest */
     double time_s;
     double loop_period_s;
+    double side_m, cosine, sine;
+    float *dx, *height, *dz;
+    float *velocity_x, *velocity_y, *velocity_z; /* NULL without velocities, and in ticks */
+    int32_t cascade;                             /* 0 is the coarsest */
+    int32_t resolution;                          /* N */
+    int32_t first_row, row_count;
     /* Position in the loop, in units of 2^-32 of it. An input that uses no other time is
      * bit-identical in every loop. */
     uint32_t loop_turns;
     int32_t is_tick; /* 1: a tick of foam accumulation, at a time before the frame's */
-    double side_m, cosine, sine;
-    int32_t resolution; /* N */
-    int32_t first_row, row_count;
-    uint32_t reserved;
-    float *dx, *height, *dz;
-    float *velocity_x, *velocity_y, *velocity_z; /* NULL without velocities, and in ticks */
 } pelagic_input_rows;
 
 /* Writes the waves of some rows. Written by the application.
@@ -1374,18 +1348,15 @@ enum {
  * converged, and its other results are the quiet NaN 0x7fc00000. */
 typedef struct pelagic_points {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
-    size_t count;
-    const double *x, *z;   /* `count` values each; may be NULL if that is 0 */
     int32_t interpolation; /* PELAGIC_INTERPOLATION_...; foam is linear in both */
-    uint32_t reserved_1;   /* 0 */
+    size_t count;
+    const double *x, *z; /* `count` values each; may be NULL if that is 0 */
 } pelagic_points;
 
 /* Arrays that receive the results, each as long as the points. A NULL pointer leaves a result out.
  * No array may overlap another or the points. */
 typedef struct pelagic_samples {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
     float* height_m;
     float *normal_x, *normal_y, *normal_z; /* unit normal of the displaced surface */
     /* 1 at rest, small at sharp crests, negative where overturned. */
@@ -1410,7 +1381,6 @@ PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const
 
 typedef struct pelagic_ray {
     uint32_t struct_size;
-    uint32_t reserved;   /* 0 */
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
     double direction[3]; /* of any length in [1e-100, 1e100] */
     /* Maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each. */
@@ -1418,12 +1388,11 @@ typedef struct pelagic_ray {
 } pelagic_ray;
 
 typedef struct pelagic_hit {
-    uint32_t struct_size;
     int32_t is_hit;     /* 0: no intersection within reach_m, and the other fields are 0 */
     int32_t from_below; /* 1: the ray leaves the water */
-    float normal[3];    /* upper normal of the surface, whichever side is hit */
     double distance_m;
     double position_m[3];
+    float normal[3]; /* upper normal of the surface, whichever side is hit */
 } pelagic_hit;
 
 /* Finds the first intersection of a ray with the surface of the frame completed last.
@@ -1446,7 +1415,6 @@ PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, c
  * starboard. Vertices at equal positions are merged, and triangles without an area are left out. */
 typedef struct pelagic_hull_mesh {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
     size_t vertex_count;
     const double* vertices_m;  /* x, y and z of each vertex; [-1000, 1000] */
     size_t triangle_count;     /* [4, 4096] */
@@ -1455,8 +1423,7 @@ typedef struct pelagic_hull_mesh {
 
 typedef struct pelagic_hull_options {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
-    double mass_kg;    /* [1e-6, 1e10] */
+    double mass_kg; /* [1e-6, 1e10] */
     /* Three coordinates in the axes of the mesh; NULL: the centre of its volume. */
     const double* centre_of_mass_m;
     /* Three moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; NULL:
@@ -1506,8 +1473,6 @@ PELAGIC_EXPERIMENTAL void pelagic_hull_destroy(pelagic_hull* hull);
 /* Properties of a hull, in the axes of its mesh. Those from draught_m on are of the hull upright at
  * rest in still water, and 0 if it is heavier than its volume of water. */
 typedef struct pelagic_hull_info {
-    uint32_t struct_size;
-    int32_t floats; /* 1: it floats, 0: it sinks */
     double volume_m3;
     double centre_m[3];                /* of the volume */
     double minimum_m[3], maximum_m[3]; /* bounds of the mesh */
@@ -1518,16 +1483,16 @@ typedef struct pelagic_hull_info {
     double roll_gm_m, pitch_gm_m; /* metacentric heights */
     /* Of mesh, mass and coefficients: hulls of equal digests move bit-identically. */
     uint64_t digest;
+    int32_t floats;                       /* 1: it floats, 0: it sinks */
     int32_t vertex_count, triangle_count; /* of the merged mesh */
 } pelagic_hull_info;
 
 /* Writes the properties of a hull. Threads: any. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info* info);
 
-/* A rigid body in the world's axes, and what the water's forces depend on of the preceding step. */
+/* A rigid body in the world's axes, and what the water's forces depend on of the preceding step.
+ * The library reads and writes it; it has no struct_size. */
 typedef struct pelagic_hull_state {
-    uint32_t struct_size;
-    int32_t has_previous_step;        /* 0: no acceleration of the water and no slamming */
     double position_m[3];             /* of the centre of mass; [-1e8, 1e8] */
     double orientation[4];            /* unit quaternion x, y, z, w: world from hull */
     double velocity_mps[3];           /* of the centre of mass; [-1e4, 1e4] */
@@ -1536,7 +1501,8 @@ typedef struct pelagic_hull_state {
      * the fraction of the added mass. */
     double water_velocity_y_mps;
     double water_rotation_radps[3];
-    double submersion; /* [0, 1] */
+    double submersion;         /* [0, 1] */
+    int32_t has_previous_step; /* 0: no acceleration of the water and no slamming */
 } pelagic_hull_state;
 
 /* Writes the state of a hull that is upright and at rest in still water. The mesh's origin is at
@@ -1557,7 +1523,6 @@ typedef struct pelagic_hull_force {
 /* What else acts on a hull: engines, tow lines and contacts; [-1e15, 1e15] each. */
 typedef struct pelagic_hull_inputs {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
     pelagic_hull_force force;
     double wind_mps[3]; /* [-1000, 1000] */
 } pelagic_hull_inputs;
@@ -1565,8 +1530,6 @@ typedef struct pelagic_hull_inputs {
 /* Forces of water and air. The total leaves out weight, inputs and the force of added mass that
  * opposes acceleration, -A du/dt. */
 typedef struct pelagic_hull_loads {
-    uint32_t struct_size;
-    uint32_t reserved;
     pelagic_hull_force total;
     pelagic_hull_force pressure;   /* of the water's weight and acceleration */
     pelagic_hull_force added_mass; /* A times the acceleration of the water */

@@ -1,5 +1,5 @@
-// Structs with a size field: those of applications that were built with a newer header are larger
-// than the library's.
+// Structs that begin with their size: those of applications that were built with a newer header are
+// larger than the library's.
 #pragma once
 
 #include <algorithm>
@@ -28,19 +28,14 @@ std::size_t struct_bytes(const T* pointer, const char* name) {
 }
 
 /// Reads the application's struct. Throws std::invalid_argument as struct_bytes(), and for fields
-/// that the library does not define and reserved fields, unless they are 0.
+/// that the library does not define, unless they are 0.
 template <class T>
 T read_struct(const T* pointer, const char* name) {
     const std::size_t bytes = struct_bytes(pointer, name);
     const auto* const all = reinterpret_cast<const unsigned char*>(pointer);
     if (std::any_of(all + sizeof(T), all + bytes, [](unsigned char byte) { return byte != 0; }))
         reject(std::string(name) + " sets fields of a later version, expected 0 there");
-    const T ours = *pointer;
-    if constexpr (requires { ours.reserved; })
-        if (ours.reserved != 0) reject(std::string(name) + ".reserved is set, expected 0");
-    if constexpr (requires { ours.reserved_1; })
-        if (ours.reserved_1 != 0) reject(std::string(name) + ".reserved_1 is set, expected 0");
-    return ours;
+    return *pointer;
 }
 
 /// Calls read(struct, name) for each struct of an array, in order. All have the struct_size of the

@@ -13,7 +13,7 @@
 static int compute_and_unload(const char* path) {
     pelagic_sea sea = {.struct_size = sizeof sea};
     const pelagic_ocean_options options = {.struct_size = sizeof options};
-    pelagic_frame frame = {.struct_size = sizeof frame};
+    pelagic_frame frame;
     pelagic_ocean* ocean = NULL;
     int i;
     void* const library = dlopen(path, RTLD_NOW | RTLD_LOCAL);

@@ -16,7 +16,6 @@ bool print_frames(pelagic_ocean* ocean) {
     const double times_s[] = {0, 12.34};
     for (const double time_s : times_s) {
         pelagic_frame frame = {};
-        frame.struct_size = sizeof frame;
         std::uint64_t hash = 0;
         if (pelagic_ocean_schedule(ocean, time_s) != PELAGIC_OK ||
             pelagic_ocean_complete(ocean, &frame) != PELAGIC_OK || pelagic_ocean_hash(ocean, &hash) != PELAGIC_OK)

@@ -54,14 +54,14 @@ void expect_all_from_the_application(const pelagic_sea& sea) {
     pelagic_ocean* made = nullptr;
     ASSERT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OK) << pelagic_last_error();
     COcean ocean(made);
-    auto info = sized<pelagic_ocean_info>();
+    pelagic_ocean_info info{};
     ASSERT_EQ(pelagic_ocean_describe(made, &info), PELAGIC_OK);
     EXPECT_LT(info.memory_bytes - heap.held, 100'000u) << "tables and handles";
     EXPECT_LE(heap.held, info.memory_bytes);
 
     const std::size_t before = heap.held;
     const int calls_before = heap.calls;
-    auto frame = sized<pelagic_frame>();
+    pelagic_frame frame{};
     for (int n = 0; n < 3; ++n) {
         ASSERT_EQ(pelagic_ocean_schedule(made, n), PELAGIC_OK);
         ASSERT_EQ(pelagic_ocean_complete(made, &frame), PELAGIC_OK);
@@ -232,7 +232,7 @@ struct FaultyApplication {
         EXPECT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK) << pelagic_last_error();
         COcean ocean = ocean_of(small_sea(resolution), executor);
         pelagic_executor_destroy(executor);  // the ocean keeps a reference
-        auto info = sized<pelagic_ocean_info>();
+        pelagic_ocean_info info{};
         EXPECT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
         EXPECT_STREQ(info.executor, "application");
         EXPECT_EQ(info.threads, 2);
@@ -241,7 +241,7 @@ struct FaultyApplication {
 };
 
 pelagic_status make_frame(pelagic_ocean* ocean, double time_s) {
-    auto frame = sized<pelagic_frame>();
+    pelagic_frame frame{};
     const pelagic_status status = pelagic_ocean_schedule(ocean, time_s);
     return status == PELAGIC_OK ? pelagic_ocean_complete(ocean, &frame) : status;
 }
@@ -354,7 +354,7 @@ TEST(CInterfaceApplicationJobs, TasksCalledTwiceAfterTheirOceanIsDestroyedAreHar
     ASSERT_EQ(pelagic_ocean_schedule(next.get(), 5), PELAGIC_OK);
     for (int round = 0; round < 2; ++round)
         for (const auto& [task, work] : application.late) task(work);
-    auto frame = sized<pelagic_frame>();
+    pelagic_frame frame{};
     EXPECT_EQ(pelagic_ocean_complete(next.get(), &frame), PELAGIC_OK);
 }
 

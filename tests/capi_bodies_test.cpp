@@ -52,7 +52,7 @@ class CInterfaceBodies : public testing::Test {
         return number;
     }
     static pelagic_hull_state state_of(const CBodies& bodies, std::uint32_t number) {
-        auto state = sized<pelagic_hull_state>();
+        pelagic_hull_state state{};
         EXPECT_EQ(pelagic_bodies_get_state(bodies.get(), number, &state), PELAGIC_OK) << pelagic_last_error();
         return state;
     }
@@ -178,7 +178,7 @@ TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
     const std::vector<std::uint8_t> before = saved(bodies);
     auto state = state_of(bodies, 1);
     auto inputs = sized<pelagic_hull_inputs>();
-    auto loads = sized<pelagic_hull_loads>();
+    pelagic_hull_loads loads{};
     expect_rejected(pelagic_bodies_get_state(bodies.get(), 2, &state), "number is 2, expected that of a body");
     expect_rejected(pelagic_bodies_set_state(bodies.get(), 0, &state), "number is 0, expected that of a body");
     expect_rejected(pelagic_bodies_set_inputs(bodies.get(), 4, &inputs), "number is 4, expected that of a body");
@@ -235,7 +235,7 @@ TEST_F(CInterfaceBodies, OceanAndBodiesAreDestroyedInAnyOrder) {
     launch.reset();  // The set keeps what it needs.
     for (int tick = 0; tick < 3; ++tick) advance(ocean, bodies, tick);
     ocean.reset();
-    auto state = sized<pelagic_hull_state>();
+    pelagic_hull_state state{};
     constexpr const char* line = "the ocean of the bodies is destroyed, expected one that exists";
     expect_rejected(pelagic_bodies_step(bodies.get(), tick_s, nullptr), line);
     expect_rejected(pelagic_bodies_press(bodies.get(), tick_s), line);
@@ -256,7 +256,7 @@ TEST_F(CInterfaceBodies, RemovedBodiesPressNoMore) {
         }
         if (destroy) bodies.reset();
         while (tick < 420) complete(ocean, tick++ * tick_s);
-        auto view = sized<pelagic_dynamic_waves_view>();
+        pelagic_dynamic_waves_view view{};
         EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(ocean.get()), &view), PELAGIC_OK);
         return -view.height_min_m;
     };

@@ -18,8 +18,7 @@ class CInterfaceCascades : public testing::Test {
     COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
 
     static std::vector<pelagic_cascade> cascades_of(const pelagic_ocean* ocean, const pelagic_frame& frame) {
-        std::vector<pelagic_cascade> cascades(static_cast<std::size_t>(frame.cascade_count),
-                                              sized<pelagic_cascade>());
+        std::vector<pelagic_cascade> cascades(static_cast<std::size_t>(frame.cascade_count));
         for (std::int32_t i = 0; i < frame.cascade_count; ++i)
             EXPECT_EQ(pelagic_ocean_cascade(ocean, i, &cascades[static_cast<std::size_t>(i)]), PELAGIC_OK)
                 << pelagic_last_error();
@@ -74,7 +73,7 @@ TEST_F(CInterfaceCascades, TexturesAreWrittenToTheApplicationsMemory) {
     for (std::size_t i = 0; i < 3; ++i)
         targets.push_back(memory[i].targets(i == 0 ? 3 : 0, expected[i].level_offset));
 
-    auto shown = sized<pelagic_frame>();
+    pelagic_frame shown{};
     ASSERT_EQ(pelagic_ocean_schedule_into(elsewhere.get(), 4, targets.data()), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()), PELAGIC_WRONG_ORDER);
     ASSERT_EQ(pelagic_ocean_complete(elsewhere.get(), &shown), PELAGIC_OK) << pelagic_last_error();
@@ -104,7 +103,7 @@ bool is_same(const pelagic_plane& a, const pelagic_plane& b) {
 
 TEST_F(CInterfaceCascades, TheFrameHoldsItsCoarsestCascade) {
     const COcean ocean = ocean_of(stack_sea(3), serial.get());
-    auto info = sized<pelagic_ocean_info>();
+    pelagic_ocean_info info{};
     ASSERT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
     EXPECT_EQ(info.cascade_count, 3);
     EXPECT_EQ(info.resolution, 32);
@@ -192,7 +191,6 @@ TEST_F(CInterfaceCascades, AnInvalidCascadeIndexIsNamed) {
     complete(one, 0), complete(two, 0);
     pelagic_cascade cascade, untouched;
     std::memset(&cascade, 0xAB, sizeof cascade);
-    cascade.struct_size = sizeof cascade;
     std::memcpy(&untouched, &cascade, sizeof cascade);
     expect_rejected(pelagic_ocean_cascade(one.get(), 1, &cascade), "index is 1, expected 0");
     expect_rejected(pelagic_ocean_cascade(two.get(), 2, &cascade), "index is 2, expected 0 to 1");
@@ -213,7 +211,7 @@ TEST_F(CInterfaceCascades, CascadesBelongToTheFrameCompletedLast) {
     const float height = texel_of(before.height, 3, 4);
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
     EXPECT_TRUE(is_same(cascades_of(ocean.get(), first)[1].height, before.height)) << "while the next is computed";
-    auto second = sized<pelagic_frame>();
+    pelagic_frame second{};
     ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &second), PELAGIC_OK);
     EXPECT_NE(texel_of(cascades_of(ocean.get(), second)[1].height, 3, 4), height);
     EXPECT_EQ(texel_of(before.height, 3, 4), height) << "views of the frame before are still valid";
@@ -271,7 +269,7 @@ TEST_F(CInterfaceCascades, CascadesOfFrameAtAreAvailableBeforeTheFirstComplete) 
     pelagic_frame_buffers nothing[2] = {sized<pelagic_frame_buffers>(), sized<pelagic_frame_buffers>()};
     nothing[0].cascade_count = 2;
     ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 4, nothing, nullptr), PELAGIC_OK) << pelagic_last_error();
-    auto cascade = sized<pelagic_cascade>();
+    pelagic_cascade cascade{};
     ASSERT_EQ(pelagic_ocean_cascade(ocean.get(), 1, &cascade), PELAGIC_OK) << pelagic_last_error();
     const COcean other = ocean_of(stack_sea(2), serial.get());
     const pelagic_cascade expected = cascades_of(other.get(), complete(other, 4))[1];

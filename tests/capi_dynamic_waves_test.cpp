@@ -132,7 +132,7 @@ TEST_F(CInterfaceDynamicWaves, StandaloneWavesEqualThoseOfAnOcean) {
     EXPECT_EQ(alone, nullptr);
     resources.isa = nullptr;
     ASSERT_EQ(pelagic_dynamic_waves_create(&options, &resources, &alone), PELAGIC_OK) << pelagic_last_error();
-    auto view = sized<pelagic_dynamic_waves_view>();
+    pelagic_dynamic_waves_view view{};
     EXPECT_EQ(pelagic_dynamic_waves_get_view(alone, &view), PELAGIC_WRONG_ORDER);
     const pelagic_disturbance source = boat();
     for (int frame = 0; frame < 30; ++frame) {
@@ -162,7 +162,7 @@ TEST_F(CInterfaceDynamicWaves, StandaloneWavesEqualThoseOfAnOcean) {
 
 TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
     const COcean without = with_dynamic_waves(false), with = with_dynamic_waves();
-    auto surface = sized<pelagic_dynamic_waves_view>();
+    pelagic_dynamic_waves_view surface{};
     EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(with.get()), &surface), PELAGIC_WRONG_ORDER);
     complete(without, 0);
     complete(with, 0);

@@ -182,7 +182,7 @@ TEST(CInterfaceGolden, AnOceanWithDynamicWavesAndAShore) {
         rows.expect();
     }
 
-    auto hit = sized<pelagic_hit>();
+    pelagic_hit hit{};
     auto ray = sized<pelagic_ray>();
     ray.origin_m[1] = 12, ray.origin_m[2] = -7;
     ray.direction[0] = 1, ray.direction[1] = -0.5, ray.direction[2] = 0.25;
@@ -221,8 +221,6 @@ TEST(CInterfaceGolden, ASeaLevelAndACurrent) {
     water.sea_level_m = std::bit_cast<double>(0x7ff8000000000000);
     expect_rejected(pelagic_ocean_set_water_frame(ocean.get(), &water),
                     "sea_level_m nan is out of range [-1000, 1000]");
-    water.sea_level_m = 0, water.reserved = 1;
-    expect_rejected(pelagic_ocean_set_water_frame(ocean.get(), &water), "water.reserved is set, expected 0");
 }
 
 TEST(CInterfaceGolden, ATransition) {
@@ -255,7 +253,7 @@ TEST(CInterfaceGolden, Bodies) {
     mesh.triangle_count = 12, mesh.triangles = triangles;
     pelagic_hull* hull = nullptr;
     ASSERT_EQ(pelagic_hull_create(&mesh, &options, &hull), PELAGIC_OK) << pelagic_last_error();
-    auto info = sized<pelagic_hull_info>();
+    pelagic_hull_info info{};
     ASSERT_EQ(pelagic_hull_describe(hull, &info), PELAGIC_OK);
     GoldenRows hulls("hull"), states("body"), forces("force");
     hulls.row("box", {info.volume_m3, info.draught_m, info.height_m, info.waterplane_m2, info.roll_gm_m,
@@ -271,7 +269,7 @@ TEST(CInterfaceGolden, Bodies) {
     wakes.wakes = 1;
     pelagic_bodies* bodies = nullptr;
     ASSERT_EQ(pelagic_bodies_create(ocean.get(), &wakes, &bodies), PELAGIC_OK) << pelagic_last_error();
-    auto state = sized<pelagic_hull_state>();
+    pelagic_hull_state state{};
     std::uint32_t number = 0;
     for (const auto& [x_m, z_m, heading_rad] : {std::array{1.0, -2.0, 0.25}, {-5.0, 4.0, 0.0}}) {
         EXPECT_EQ(pelagic_hull_at_rest(hull, x_m, z_m, heading_rad, &state), PELAGIC_OK);
@@ -286,7 +284,7 @@ TEST(CInterfaceGolden, Bodies) {
         EXPECT_EQ(pelagic_bodies_step(bodies, 1 / 60.0, nullptr), PELAGIC_OK);
     }
     for (number = 1; number <= 2; ++number) {
-        auto loads = sized<pelagic_hull_loads>();
+        pelagic_hull_loads loads{};
         EXPECT_EQ(pelagic_bodies_get_state(bodies, number, &state), PELAGIC_OK);
         EXPECT_EQ(pelagic_bodies_get_loads(bodies, number, &loads), PELAGIC_OK);
         states.begin(std::to_string(number));

@@ -15,7 +15,7 @@ pelagic_status make_a_sea(pelagic_ocean** ocean) {
 double jacobian_at(const pelagic_ocean* ocean, int32_t cascade_count, double x, double z) {
     double sum[8] = {0}, normal[3];
     for (int32_t i = 0; i < cascade_count; ++i) {
-        pelagic_cascade cascade = {.struct_size = sizeof cascade};
+        pelagic_cascade cascade;
         if (pelagic_ocean_cascade(ocean, i, &cascade) != PELAGIC_OK) return 0;
         add_slopes(&cascade, x, z, sum);
     }

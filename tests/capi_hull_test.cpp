@@ -13,7 +13,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 TEST(CInterfaceHull, SinksIfItIsHeavierThanItsVolume) {
     const CHull stone = hull_of(HullArrays(box_soup({4, 1, 2})), hull_options(20'000));
-    auto info = sized<pelagic_hull_info>();
+    pelagic_hull_info info{};
     ASSERT_EQ(pelagic_hull_describe(stone.get(), &info), PELAGIC_OK);
     EXPECT_EQ(info.floats, 0);
     EXPECT_EQ(info.draught_m, 0);
@@ -30,7 +30,7 @@ TEST(CInterfaceHull, OptionsHaveTheDefaultsAndEffectsOfTheCppInterface) {
     added[1 * 6 + 5] = added[5 * 6 + 1] = matrix[1][5] = matrix[5][1] = 30;
     auto options = hull_options(2500);
     const auto digest_of = [&] {
-        auto info = sized<pelagic_hull_info>();
+        pelagic_hull_info info{};
         EXPECT_EQ(pelagic_hull_describe(hull_of(arrays, options).get(), &info), PELAGIC_OK);
         return info.digest;
     };
@@ -90,11 +90,11 @@ TEST(CInterfaceHull, LoadsAndVelocitiesEqualThoseOfTheCppInterface) {
     auto c_inputs = sized<pelagic_hull_inputs>();
     c_inputs.force = {{900, 0, -100}, {0, 50, 0}};
     c_inputs.wind_mps[0] = 6, c_inputs.wind_mps[2] = 2;
-    auto loads = sized<pelagic_hull_loads>();
+    pelagic_hull_loads loads{};
     EXPECT_EQ(pelagic_hull_compute_loads(c_hull.get(), c_ocean.get(), &c_state, 1.0 / 60, &c_inputs, &loads),
               PELAGIC_WRONG_ORDER);
     for (int i = 0; i < 40; ++i) {
-        auto frame = sized<pelagic_frame>();
+        pelagic_frame frame{};
         ASSERT_EQ(pelagic_ocean_schedule(c_ocean.get(), i / 60.0), PELAGIC_OK);
         ASSERT_EQ(pelagic_ocean_complete(c_ocean.get(), &frame), PELAGIC_OK);
         const SurfaceQuery water(ocean.frame_at(i / 60.0));
@@ -194,7 +194,7 @@ TEST(CInterfaceHull, UnusableMeshesAndOptionsAreRejectedWithALine) {
 
     options = hull_options(500);
     const CHull usable = hull_of(box, options);
-    auto state = sized<pelagic_hull_state>();
+    pelagic_hull_state state{};
     expect_rejected(pelagic_hull_at_rest(usable.get(), 0, 2e8, 0, &state),
                     "the hull's position_m is out of range [-1e8, 1e8]");
     expect_rejected(pelagic_hull_at_rest(usable.get(), 0, 0, not_a_number, &state),
@@ -207,8 +207,8 @@ TEST(CInterfaceHull, UnusableMeshesAndOptionsAreRejectedWithALine) {
 TEST(CInterfaceHull, LoadsNeedQueriesAndVelocities) {
     const CHull hull = boat_of(6, 2.2, 1.2, 3500);
     pelagic_hull_state state = at_rest(hull, 0, 0);
-    auto loads = sized<pelagic_hull_loads>();
-    auto frame = sized<pelagic_frame>();
+    pelagic_hull_loads loads{};
+    pelagic_frame frame{};
     const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
     for (const bool queries : {false, true}) {
         auto options = sized<pelagic_ocean_options>();

@@ -57,7 +57,7 @@ inline CHull boat_of(double length_m, double beam_m, double height_m, double mas
 }
 
 inline pelagic_hull_state at_rest(const CHull& hull, double x_m, double z_m, double heading_rad = 0) {
-    auto state = sized<pelagic_hull_state>();
+    pelagic_hull_state state{};
     EXPECT_EQ(pelagic_hull_at_rest(hull.get(), x_m, z_m, heading_rad, &state), PELAGIC_OK) << pelagic_last_error();
     return state;
 }

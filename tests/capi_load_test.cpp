@@ -21,7 +21,7 @@ TEST(CInterfaceLoad, AHundredOceansShareOneExecutor) {
     }
     for (int round = 0; round < 2; ++round) {
         for (const COcean& ocean : oceans) ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), round), PELAGIC_OK);
-        auto frame = sized<pelagic_frame>();
+        pelagic_frame frame{};
         for (const COcean& ocean : oceans) ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
     }
     for (std::uint32_t i = 0; i < 100; i += 7) {
@@ -73,7 +73,7 @@ TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
         EXPECT_EQ(pelagic_ocean_query(ocean, &points, &samples), PELAGIC_OK) << pelagic_last_error();
         return heights;
     };
-    auto frame = sized<pelagic_frame>();
+    pelagic_frame frame{};
     std::vector<std::vector<float>> expected;
     std::vector<std::uint64_t> hashes;
     const COcean alone = ocean_of(sea, executor_of(PELAGIC_EXECUTOR_SERIAL).get());

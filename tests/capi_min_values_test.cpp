@@ -86,7 +86,7 @@ void look_at(const pelagic_shore_surface& shore, Findings& found) {
 std::string first_non_finite(pelagic_ocean* ocean, const pelagic_ocean_options& options) {
     Findings found;
     for (const double time_s : {0.0, 0.02, 0.3, 1.1}) {
-        auto frame = sized<pelagic_frame>();
+        pelagic_frame frame{};
         if (pelagic_ocean_schedule(ocean, time_s) != PELAGIC_OK ||
             pelagic_ocean_complete(ocean, &frame) != PELAGIC_OK)
             return std::string("a frame failed: ") + pelagic_last_error();
@@ -95,17 +95,17 @@ std::string first_non_finite(pelagic_ocean* ocean, const pelagic_ocean_options& 
         found.number("foam_drift_x_mps", frame.foam_drift_x_mps);
         found.number("foam_drift_z_mps", frame.foam_drift_z_mps);
         for (int i = 0; i < frame.cascade_count; ++i) {
-            auto cascade = sized<pelagic_cascade>();
+            pelagic_cascade cascade{};
             EXPECT_EQ(pelagic_ocean_cascade(ocean, i, &cascade), PELAGIC_OK);
             look_at(cascade, found);
         }
         if (options.dynamic_waves) {
-            auto dynamic_waves = sized<pelagic_dynamic_waves_view>();
+            pelagic_dynamic_waves_view dynamic_waves{};
             EXPECT_EQ(pelagic_dynamic_waves_get_view(waves_of(ocean), &dynamic_waves), PELAGIC_OK);
             look_at(dynamic_waves, found);
         }
         if (options.shore) {
-            auto shore = sized<pelagic_shore_surface>();
+            pelagic_shore_surface shore{};
             EXPECT_EQ(pelagic_ocean_shore(ocean, &shore), PELAGIC_OK);
             look_at(shore, found);
         }
@@ -518,7 +518,7 @@ TEST(CInterfaceSmallestValues, TimesAndPositionsAreRejectedOrFinite) {
     options.dynamic_waves = &dynamic_waves;
     const COcean ocean = ocean_of(two_cascades(), options);
     for (const double value : min_values) {
-        auto frame = sized<pelagic_frame>();
+        pelagic_frame frame{};
         EXPECT_EQ(pelagic_dynamic_waves_set_center(waves_of(ocean.get()), value, value), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), value), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
@@ -529,7 +529,7 @@ TEST(CInterfaceSmallestValues, TimesAndPositionsAreRejectedOrFinite) {
             ray.direction[1] = -1;
             ray.reach_m = 100;
             (number < 3 ? ray.origin_m[number] : number < 6 ? ray.direction[number - 3] : ray.reach_m) = value;
-            auto hit = sized<pelagic_hit>();
+            pelagic_hit hit{};
             if (pelagic_ocean_first_hit(ocean.get(), &ray, &hit) != PELAGIC_OK) continue;
             Findings found;
             found.number("distance_m", hit.distance_m);
@@ -556,15 +556,15 @@ std::string first_non_finite(const pelagic_hull* hull, const pelagic_hull_state&
     EXPECT_EQ(pelagic_bodies_create(ocean.get(), &with_wakes, &bodies), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(pelagic_bodies_add(bodies, hull, &from, &number), PELAGIC_OK) << pelagic_last_error();
     for (int tick = 0; tick < 4; ++tick) {
-        auto frame = sized<pelagic_frame>();
+        pelagic_frame frame{};
         EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), tick / 60.0), PELAGIC_OK);
         EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
         EXPECT_EQ(pelagic_bodies_press(bodies, 1 / 60.0), PELAGIC_OK) << pelagic_last_error();
         EXPECT_EQ(pelagic_bodies_step(bodies, 1 / 60.0, nullptr), PELAGIC_OK) << pelagic_last_error();
     }
     Findings found;
-    auto state = sized<pelagic_hull_state>();
-    auto loads = sized<pelagic_hull_loads>();
+    pelagic_hull_state state{};
+    pelagic_hull_loads loads{};
     EXPECT_EQ(pelagic_bodies_get_state(bodies, number, &state), PELAGIC_OK);
     EXPECT_EQ(pelagic_bodies_get_loads(bodies, number, &loads), PELAGIC_OK);
     for (const auto& vector : {state.position_m, state.velocity_mps, state.angular_velocity_radps,
@@ -602,7 +602,7 @@ TEST(CInterfaceSmallestValues, FieldsOfHullsAreRejectedOrFinite) {
     const auto try_options = [&](const pelagic_hull_options& options, const std::string& what, const char* name) {
         const pelagic_status status = pelagic_hull_create(&mesh, &options, &hull);
         if (status != PELAGIC_OK) return expect_rejection_naming(status, what, name);
-        auto state = sized<pelagic_hull_state>();
+        pelagic_hull_state state{};
         EXPECT_EQ(pelagic_hull_at_rest(hull, 0, 0, 0, &state), PELAGIC_OK);
         EXPECT_EQ(first_non_finite(hull, state), "") << what;
         pelagic_hull_destroy(hull);
@@ -620,7 +620,7 @@ TEST(CInterfaceSmallestValues, FieldsOfHullsAreRejectedOrFinite) {
     }
     ASSERT_EQ(pelagic_hull_create(&mesh, &usual, &hull), PELAGIC_OK);
     for (const double value : min_values) {
-        auto state = sized<pelagic_hull_state>();
+        pelagic_hull_state state{};
         ASSERT_EQ(pelagic_hull_at_rest(hull, value, value, value, &state), PELAGIC_OK);
         state.velocity_mps[0] = state.angular_velocity_radps[1] = value;
         EXPECT_EQ(first_non_finite(hull, state), "") << value;

@@ -78,7 +78,7 @@ inline COcean ocean_of(const pelagic_sea& sea, const pelagic_executor* executor)
 
 /// Computes the frame of a time.
 inline pelagic_frame complete(pelagic_ocean* ocean, double time_s) {
-    auto frame = sized<pelagic_frame>();
+    pelagic_frame frame{};
     EXPECT_EQ(pelagic_ocean_schedule(ocean, time_s), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(pelagic_ocean_complete(ocean, &frame), PELAGIC_OK) << pelagic_last_error();
     return frame;

@@ -62,7 +62,7 @@ TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
     std::uint64_t hash = 0;
     ASSERT_EQ(pelagic_ocean_shore_hash(ocean.get(), &hash), PELAGIC_OK);
     EXPECT_EQ(hash, shore_hash_of(frame));
-    auto surface = sized<pelagic_shore_surface>();
+    pelagic_shore_surface surface{};
     ASSERT_EQ(pelagic_ocean_shore(ocean.get(), &surface), PELAGIC_OK);
     EXPECT_EQ(surface.columns, frame.shore.columns);
     EXPECT_EQ(surface.rows, frame.shore.rows);
@@ -113,7 +113,7 @@ TEST_F(CInterfaceShore, InvalidOptionsAreNamed) {
               "cascades is 1, expected 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
 
     const COcean open = ocean_of(stack_sea(2), with(nullptr));
-    auto surface = sized<pelagic_shore_surface>();
+    pelagic_shore_surface surface{};
     EXPECT_EQ(pelagic_ocean_shore(open.get(), &surface), PELAGIC_WRONG_ORDER);
     complete(open, 0);
     EXPECT_EQ(pelagic_ocean_shore(open.get(), &surface), PELAGIC_INVALID_ARGUMENT);

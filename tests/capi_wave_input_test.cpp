@@ -179,7 +179,7 @@ TEST(CInterfaceInputs, AFailingCallbackLosesOnlyItsFrame) {
     inputs.push_back(callback_input(add, &fails));
     const COcean ocean = ocean_with(flat_sea(), std::move(inputs));
     const std::uint64_t before = hash_at(ocean, 1);
-    auto frame = sized<pelagic_frame>();
+    pelagic_frame frame{};
     fails = 1;
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
     expect_rejected(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_APPLICATION_ERROR,

@@ -107,7 +107,7 @@ class Replay {
     Replay& operator=(const Replay&) = delete;
 
     const pelagic_ocean* at(int sea, double time_s) {
-        auto frame = sized<pelagic_frame>();
+        pelagic_frame frame{};
         must(pelagic_ocean_schedule(oceans_[sea], time_s));
         must(pelagic_ocean_complete(oceans_[sea], &frame));
         return oceans_[sea];
@@ -163,7 +163,7 @@ class Subject {
     int complete() {
         std::int32_t is_ready = 0;
         if (random_() % 2) must(pelagic_ocean_poll(ocean_, &is_ready));
-        auto frame = sized<pelagic_frame>();
+        pelagic_frame frame{};
         must(pelagic_ocean_complete(ocean_, &frame));
         in_flight_ = false;
         has_frame_ = true;

@@ -71,8 +71,8 @@ static pelagic_status make_hull(const boat* of, pelagic_hull** hull) {
 
 static int add_boat(pelagic_bodies* bodies, boat* of, double z_m) {
     pelagic_hull* hull;
-    pelagic_hull_info info = {.struct_size = sizeof info};
-    pelagic_hull_state state = {.struct_size = sizeof state};
+    pelagic_hull_info info;
+    pelagic_hull_state state;
     int result;
     if (failed(make_hull(of, &hull))) return 1;
     result = failed(pelagic_hull_describe(hull, &info)) || failed(pelagic_hull_at_rest(hull, 0, z_m, 0, &state)) ||
@@ -83,7 +83,7 @@ static int add_boat(pelagic_bodies* bodies, boat* of, double z_m) {
 }
 
 static int print(const pelagic_bodies* bodies, const boat* of, double time_s) {
-    pelagic_hull_state state = {.struct_size = sizeof state};
+    pelagic_hull_state state;
     const double* q = state.orientation;
     double pitch_rad, roll_rad;
     if (failed(pelagic_bodies_get_state(bodies, of->number, &state))) return 1;
@@ -99,8 +99,8 @@ static int sail(pelagic_ocean* ocean, pelagic_bodies* bodies, int ticks) {
                      {"yacht", 12, 4, 2.5, 14000, {-1, 1, 0}, 0, 0},
                      {"ship", 60, 14, 9, 1200000, {-5, 4, 0}, 0, 0}};
     pelagic_dynamic_waves* waves;
-    pelagic_frame frame = {.struct_size = sizeof frame};
-    pelagic_hull_state yacht = {.struct_size = sizeof yacht};
+    pelagic_frame frame;
+    pelagic_hull_state yacht;
     int tick, i;
     for (i = 0; i < 3; ++i)
         if (add_boat(bodies, &boats[i], 20 * i)) return 1;

@@ -13,7 +13,7 @@ static int failed(pelagic_status status) {
 static int draw(const pelagic_ocean* ocean, const pelagic_frame* frame) {
     int32_t i;
     for (i = 0; i < frame->cascade_count; ++i) {
-        pelagic_cascade cascade = {.struct_size = sizeof cascade};
+        pelagic_cascade cascade;
         if (failed(pelagic_ocean_cascade(ocean, i, &cascade))) return 1;
         printf(" %g", cascade.side_m);
     }
@@ -26,7 +26,7 @@ static int run(pelagic_ocean* ocean) {
     float heights[3];
     const pelagic_points buoys = {.struct_size = sizeof buoys, .count = 3, .x = x, .z = z};
     const pelagic_samples wanted = {.struct_size = sizeof wanted, .height_m = heights};
-    pelagic_frame frame = {.struct_size = sizeof frame};
+    pelagic_frame frame;
     uint64_t hash;
     int n;
 

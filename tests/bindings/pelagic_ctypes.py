@@ -46,9 +46,13 @@ PELAGIC_INTERPOLATION_CUBIC = 1
 class pelagic_sea(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
+        ("waves", c_int32),
         ("spectrum", c_int32),
+        ("spreading", c_int32),
+        ("cascades", c_int32),
         ("resolution", c_int32),
         ("seed", c_uint32),
+        ("wave_count", c_int32),
         ("patch_size_m", c_double),
         ("wind_speed_mps", c_double),
         ("wind_direction_rad", c_double),
@@ -59,16 +63,10 @@ class pelagic_sea(ctypes.Structure):
         ("short_wave_cutoff", c_double),
         ("wind_alignment", c_double),
         ("loop_period_s", c_double),
-        ("spreading", c_int32),
-        ("reserved", c_uint32),
         ("swell_height_m", c_double),
         ("swell_period_s", c_double),
         ("swell_direction_rad", c_double),
         ("swell_spread_rad", c_double),
-        ("cascades", c_int32),
-        ("reserved_1", c_uint32),
-        ("waves", c_int32),
-        ("wave_count", c_int32),
         ("longest_wave_m", c_double),
         ("shortest_wave_m", c_double),
         ("wave_strength", c_double),
@@ -79,8 +77,6 @@ class pelagic_sea(ctypes.Structure):
 
 class pelagic_statistics(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("expected_wave_height_m", c_double),
         ("realised_wave_height_m", c_double),
         ("model_wave_height_m", c_double),
@@ -115,7 +111,6 @@ class pelagic_executor_options(ctypes.Structure):
         ("struct_size", c_uint32),
         ("kind", c_int32),
         ("threads", c_int32),
-        ("reserved", c_uint32),
         ("cpu_mask", c_uint64),
         ("parallel_for", c_void_p),
         ("submit", c_void_p),
@@ -128,29 +123,27 @@ class pelagic_ocean_options(ctypes.Structure):
         ("struct_size", c_uint32),
         ("queries", c_int32),
         ("velocities", c_int32),
-        ("reserved", c_uint32),
+        ("foam", c_int32),
+        ("textures_only", c_int32),
+        ("slopes", c_int32),
+        ("gradients", c_int32),
         ("executor", c_void_p),
         ("isa", c_char_p),
         ("query_tolerance_m", c_double),
         ("allocate", c_void_p),
         ("release", c_void_p),
         ("memory_user", c_void_p),
-        ("slopes", c_int32),
-        ("gradients", c_int32),
-        ("foam", c_int32),
-        ("textures_only", c_int32),
         ("dynamic_waves", c_void_p),
         ("shore", c_void_p),
+        ("spray", c_void_p),
         ("input_count", c_size_t),
         ("inputs", POINTER(c_void_p)),
-        ("spray", c_void_p),
     ]
 
 
 class pelagic_water_frame(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("sea_level_m", c_double),
         ("current_x_mps", c_double),
         ("current_z_mps", c_double),
@@ -159,15 +152,12 @@ class pelagic_water_frame(ctypes.Structure):
 
 class pelagic_ocean_info(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
-        ("resolution", c_int32),
-        ("threads", c_int32),
-        ("reserved", c_uint32),
         ("memory_bytes", c_uint64),
         ("isa", c_char_p),
         ("executor", c_char_p),
+        ("resolution", c_int32),
         ("cascade_count", c_int32),
-        ("reserved_1", c_uint32),
+        ("threads", c_int32),
     ]
 
 
@@ -192,8 +182,8 @@ class pelagic_bounds(ctypes.Structure):
 
 class pelagic_frame(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
         ("resolution", c_int32),
+        ("cascade_count", c_int32),
         ("time_s", c_double),
         ("patch_size_m", c_double),
         ("dx", pelagic_plane),
@@ -204,24 +194,21 @@ class pelagic_frame(ctypes.Structure):
         ("velocity_z", pelagic_plane),
         ("displacement_rgba16f", POINTER(c_uint16)),
         ("gradient_rgba8", POINTER(c_uint32)),
+        ("foam_drift_x_mps", c_double),
+        ("foam_drift_z_mps", c_double),
         ("gradient_levels", c_int32),
         ("gradient_offset", c_uint32 * 12),
         ("bounds", pelagic_bounds),
-        ("reserved_1", c_uint32),
-        ("cascade_count", c_int32),
         ("roughness", c_float),
-        ("foam_drift_x_mps", c_double),
-        ("foam_drift_z_mps", c_double),
         ("foam_level", c_float),
         ("foam_age", c_float * 16),
-        ("reserved_2", c_uint32),
     ]
 
 
 class pelagic_cascade(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
         ("resolution", c_int32),
+        ("levels", c_int32),
         ("side_m", c_double),
         ("cosine", c_double),
         ("sine", c_double),
@@ -235,19 +222,16 @@ class pelagic_cascade(ctypes.Structure):
         ("gradient_rgba8", POINTER(c_uint32)),
         ("slopes_rgba8", POINTER(c_uint32)),
         ("moments_rgba8", POINTER(c_uint32)),
-        ("slope_range", c_float),
-        ("variance_range", c_float),
-        ("levels", c_int32),
-        ("level_offset", c_uint32 * 12),
-        ("bounds", pelagic_bounds),
-        ("reserved_1", c_uint32),
         ("compression_r8", POINTER(c_uint8)),
         ("snapshots_rgba8", POINTER(c_uint32) * 4),
         ("snapshots_version", c_uint64 * 4),
         ("drift_columns", c_double),
         ("drift_rows", c_double),
+        ("level_offset", c_uint32 * 12),
+        ("bounds", pelagic_bounds),
+        ("slope_range", c_float),
+        ("variance_range", c_float),
         ("compression_scale", c_float),
-        ("reserved_2", c_uint32),
     ]
 
 
@@ -286,7 +270,6 @@ class pelagic_frame_buffers(ctypes.Structure):
 class pelagic_change(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("sea", POINTER(pelagic_sea)),
         ("from_s", c_double),
         ("over_s", c_double),
@@ -325,7 +308,6 @@ class pelagic_disturbance(ctypes.Structure):
         ("struct_size", c_uint32),
         ("shape", c_int32),
         ("mode", c_int32),
-        ("reserved", c_uint32),
         ("x_m", c_double),
         ("z_m", c_double),
         ("radius_m", c_double),
@@ -341,7 +323,6 @@ class pelagic_disturbance(ctypes.Structure):
 class pelagic_dynamic_waves_resources(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("executor", c_void_p),
         ("isa", c_char_p),
         ("allocate", c_void_p),
@@ -362,14 +343,13 @@ class pelagic_rain(ctypes.Structure):
 
 class pelagic_dynamic_waves_view(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
-        ("resolution", c_int32),
         ("first_x", c_int64),
         ("first_z", c_int64),
         ("texel_m", c_double),
         ("height_m", POINTER(c_float)),
         ("vertical_velocity_mps", POINTER(c_float)),
         ("foam", POINTER(c_uint8)),
+        ("resolution", c_int32),
         ("height_min_m", c_float),
         ("height_max_m", c_float),
     ]
@@ -405,7 +385,6 @@ class pelagic_spray_emitter(ctypes.Structure):
 class pelagic_droplets(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("room", c_size_t),
         ("x_m", POINTER(c_double)),
         ("y_m", POINTER(c_double)),
@@ -436,10 +415,8 @@ class pelagic_shore_options(ctypes.Structure):
 
 class pelagic_shore_surface(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
         ("columns", c_int32),
         ("rows", c_int32),
-        ("weights_change_per_m", c_float),
         ("texel_m", c_double),
         ("x_m", c_double),
         ("z_m", c_double),
@@ -449,16 +426,16 @@ class pelagic_shore_surface(ctypes.Structure):
         ("vertical_velocity_mps", POINTER(c_float)),
         ("reach_m", POINTER(c_float)),
         ("foam", POINTER(c_uint8)),
+        ("potential_m2ps", POINTER(c_float)),
         ("height_min_m", c_float),
         ("height_max_m", c_float),
-        ("potential_m2ps", POINTER(c_float)),
+        ("weights_change_per_m", c_float),
     ]
 
 
 class pelagic_waves(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("count", c_size_t),
         ("amplitude_m", POINTER(c_double)),
         ("wavelength_m", POINTER(c_double)),
@@ -471,7 +448,6 @@ class pelagic_waves(ctypes.Structure):
 class pelagic_ripple(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("x_m", c_double),
         ("z_m", c_double),
         ("wavelength_m", c_double),
@@ -483,25 +459,23 @@ class pelagic_ripple(ctypes.Structure):
 
 class pelagic_input_rows(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
-        ("cascade", c_int32),
         ("time_s", c_double),
         ("loop_period_s", c_double),
-        ("loop_turns", c_uint32),
-        ("is_tick", c_int32),
         ("side_m", c_double),
         ("cosine", c_double),
         ("sine", c_double),
-        ("resolution", c_int32),
-        ("first_row", c_int32),
-        ("row_count", c_int32),
-        ("reserved", c_uint32),
         ("dx", POINTER(c_float)),
         ("height", POINTER(c_float)),
         ("dz", POINTER(c_float)),
         ("velocity_x", POINTER(c_float)),
         ("velocity_y", POINTER(c_float)),
         ("velocity_z", POINTER(c_float)),
+        ("cascade", c_int32),
+        ("resolution", c_int32),
+        ("first_row", c_int32),
+        ("row_count", c_int32),
+        ("loop_turns", c_uint32),
+        ("is_tick", c_int32),
     ]
 
 
@@ -518,19 +492,16 @@ class pelagic_input_callback(ctypes.Structure):
 class pelagic_points(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("interpolation", c_int32),
         ("count", c_size_t),
         ("x", POINTER(c_double)),
         ("z", POINTER(c_double)),
-        ("interpolation", c_int32),
-        ("reserved_1", c_uint32),
     ]
 
 
 class pelagic_samples(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("height_m", POINTER(c_float)),
         ("normal_x", POINTER(c_float)),
         ("normal_y", POINTER(c_float)),
@@ -548,7 +519,6 @@ class pelagic_samples(ctypes.Structure):
 class pelagic_ray(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("origin_m", c_double * 3),
         ("direction", c_double * 3),
         ("reach_m", c_double),
@@ -557,19 +527,17 @@ class pelagic_ray(ctypes.Structure):
 
 class pelagic_hit(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
         ("is_hit", c_int32),
         ("from_below", c_int32),
-        ("normal", c_float * 3),
         ("distance_m", c_double),
         ("position_m", c_double * 3),
+        ("normal", c_float * 3),
     ]
 
 
 class pelagic_hull_mesh(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("vertex_count", c_size_t),
         ("vertices_m", POINTER(c_double)),
         ("triangle_count", c_size_t),
@@ -580,7 +548,6 @@ class pelagic_hull_mesh(ctypes.Structure):
 class pelagic_hull_options(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("mass_kg", c_double),
         ("centre_of_mass_m", POINTER(c_double)),
         ("inertia_kgm2", POINTER(c_double)),
@@ -601,8 +568,6 @@ class pelagic_hull_options(ctypes.Structure):
 
 class pelagic_hull_info(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
-        ("floats", c_int32),
         ("volume_m3", c_double),
         ("centre_m", c_double * 3),
         ("minimum_m", c_double * 3),
@@ -615,6 +580,7 @@ class pelagic_hull_info(ctypes.Structure):
         ("roll_gm_m", c_double),
         ("pitch_gm_m", c_double),
         ("digest", c_uint64),
+        ("floats", c_int32),
         ("vertex_count", c_int32),
         ("triangle_count", c_int32),
     ]
@@ -622,8 +588,6 @@ class pelagic_hull_info(ctypes.Structure):
 
 class pelagic_hull_state(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
-        ("has_previous_step", c_int32),
         ("position_m", c_double * 3),
         ("orientation", c_double * 4),
         ("velocity_mps", c_double * 3),
@@ -631,6 +595,7 @@ class pelagic_hull_state(ctypes.Structure):
         ("water_velocity_y_mps", c_double),
         ("water_rotation_radps", c_double * 3),
         ("submersion", c_double),
+        ("has_previous_step", c_int32),
     ]
 
 
@@ -644,7 +609,6 @@ class pelagic_hull_force(ctypes.Structure):
 class pelagic_hull_inputs(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("force", pelagic_hull_force),
         ("wind_mps", c_double * 3),
     ]
@@ -652,8 +616,6 @@ class pelagic_hull_inputs(ctypes.Structure):
 
 class pelagic_hull_loads(ctypes.Structure):
     _fields_ = [
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
         ("total", pelagic_hull_force),
         ("pressure", pelagic_hull_force),
         ("added_mass", pelagic_hull_force),

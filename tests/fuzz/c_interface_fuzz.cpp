@@ -44,6 +44,14 @@ T sized(Bytes& bytes) {
     return value;
 }
 
+/// A struct that the library writes, with bytes that it must not read.
+template <class T>
+T output(Bytes& bytes) {
+    T value;
+    std::memset(&value, bytes.take<std::uint8_t>(), sizeof value);
+    return value;
+}
+
 void in_turn(void*, std::size_t count, void (*job)(void*, std::size_t), void* work) {
     for (std::size_t i = 0; i < count; ++i) job(work, i);
 }
@@ -260,7 +268,7 @@ void any_ray(Bytes& bytes, const pelagic_ocean* ocean) {
     for (double& along : ray.origin_m) along = bytes.number();
     for (double& along : ray.direction) along = bytes.number();
     ray.reach_m = bytes.number();
-    auto hit = sized<pelagic_hit>(bytes);
+    auto hit = output<pelagic_hit>(bytes);
     must_be_a_status(pelagic_ocean_first_hit(ocean, &ray, &hit));
 }
 
@@ -272,8 +280,7 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
     alignas(pelagic_frame_buffers) static std::array<std::byte, 4 * 4096> cascades;
     cascades = {};
     const auto first = sized<pelagic_frame_buffers>(bytes);
-    auto info = pelagic_ocean_info{};
-    info.struct_size = sizeof info;
+    pelagic_ocean_info info{};
     std::size_t side = 16;
     if (ocean && pelagic_ocean_describe(ocean, &info) == PELAGIC_OK) side = static_cast<std::size_t>(info.resolution);
     const auto texels = bytes.take<std::uint8_t>(), parts = bytes.take<std::uint8_t>();
@@ -298,7 +305,7 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
 
 /// Reads every byte of the arrays of a cascade.
 void any_cascade(Bytes& bytes, const pelagic_ocean* ocean) {
-    auto cascade = sized<pelagic_cascade>(bytes);
+    auto cascade = output<pelagic_cascade>(bytes);
     const auto index = bytes.take<std::int8_t>();
     const pelagic_status status = pelagic_ocean_cascade(ocean, index, &cascade);
     must_be_a_status(status);
@@ -323,7 +330,6 @@ pelagic_disturbance any_disturbance(Bytes& bytes) {
     const auto kind = bytes.take<std::uint8_t>();
     disturbance.shape = kind % 3;
     disturbance.mode = kind / 3 % 5;
-    disturbance.reserved = kind == 255;
     disturbance.height_m = bytes.number();
     change(bytes, disturbance,
            {&pelagic_disturbance::x_m, &pelagic_disturbance::z_m, &pelagic_disturbance::radius_m,
@@ -371,12 +377,12 @@ void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     std::uint64_t hash = 0;
     must_be_a_status(pelagic_dynamic_waves_hash(waves_of(ocean), &hash));
     must_be_a_status(pelagic_ocean_shore_hash(ocean, &hash));
-    auto dynamic_waves = sized<pelagic_dynamic_waves_view>(bytes);
-    auto shore = sized<pelagic_shore_surface>(bytes);
+    auto dynamic_waves = output<pelagic_dynamic_waves_view>(bytes);
+    auto shore = output<pelagic_shore_surface>(bytes);
     double sum = 0;
     const pelagic_status of_dynamic_waves = pelagic_dynamic_waves_get_view(waves_of(ocean), &dynamic_waves);
     must_be_a_status(of_dynamic_waves);
-    if (of_dynamic_waves == PELAGIC_OK && dynamic_waves.struct_size == sizeof dynamic_waves) {
+    if (of_dynamic_waves == PELAGIC_OK) {
         const auto last =
             static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution) -
             1;
@@ -384,7 +390,7 @@ void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     }
     const pelagic_status of_shore = pelagic_ocean_shore(ocean, &shore);
     must_be_a_status(of_shore);
-    if (of_shore == PELAGIC_OK && shore.struct_size == sizeof shore) {
+    if (of_shore == PELAGIC_OK) {
         const auto last = static_cast<std::size_t>(shore.columns) * static_cast<std::size_t>(shore.rows) - 1;
         sum += shore.height_m[last] + shore.vertical_velocity_mps[last] + shore.reach_m[last] + shore.foam[last] +
                shore.depth_m[last] + shore.potential_m2ps[last] + static_cast<double>(shore.weights_rgba8[last]);
@@ -427,7 +433,7 @@ void any_dynamic_waves_command(Bytes& bytes, pelagic_ocean* ocean) {
 void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
     std::int32_t is_ready = 0;
     std::uint64_t hash = 0;
-    auto frame = sized<pelagic_frame>(bytes);
+    auto frame = output<pelagic_frame>(bytes);
     const auto which = bytes.take<std::uint8_t>();
     if (which >= 200) return any_dynamic_waves_command(bytes, ocean);
     switch (which % 13) {

@@ -142,7 +142,7 @@ class CInterface(CBodies):
 
     def at_rest(self, x_m, z_m, heading_rad=0.0):
         """The state in which the mesh's origin is at a position."""
-        state, centre = sized(pelagic.pelagic_hull_state), centre_of_mass_m
+        state, centre = pelagic.pelagic_hull_state(), centre_of_mass_m
         cosine, sine = math.cos(heading_rad), math.sin(heading_rad)
         self.call("hull_at_rest", self.hull, x_m + cosine * centre[0] - sine * centre[2], z_m + sine * centre[0] + cosine * centre[2],
                   heading_rad, state)
@@ -164,7 +164,7 @@ class CInterface(CBodies):
         """Yields the saved state of each step."""
         for step in range(steps):
             self.call("ocean_schedule", self.ocean, step / 60.0)
-            self.call("ocean_complete", self.ocean, sized(pelagic.pelagic_frame))
+            self.call("ocean_complete", self.ocean, pelagic.pelagic_frame())
             if step == steps // 2:
                 self.push(bodies, [-500, 0, 250], [0, 64, 0], [0, 0, 8])
             self.call("bodies_step", bodies, step_s, None)

@@ -61,7 +61,7 @@ class CInterface(CBodies):
         bodies, number = ctypes.c_void_p(), ctypes.c_uint32()
         self.call("bodies_create", self.ocean, sized(pelagic.pelagic_bodies_options, wakes=wakes), ctypes.byref(bodies))
         for x_m, z_m in places:
-            state = sized(pelagic.pelagic_hull_state)
+            state = pelagic.pelagic_hull_state()
             self.call("hull_at_rest", self.hull, x_m, z_m, 0.0, state)
             self.call("bodies_add", bodies, self.hull, state, number)
         return bodies
@@ -73,7 +73,7 @@ class CInterface(CBodies):
             if bodies:
                 self.call("bodies_press", bodies, sum([step_s] * steps))
             self.call("ocean_schedule", self.ocean, frame * steps / 60.0)
-            self.call("ocean_complete", self.ocean, sized(pelagic.pelagic_frame))
+            self.call("ocean_complete", self.ocean, pelagic.pelagic_frame())
             bodies = bodies or self.bodies((0, 0))
             inputs = sized(pelagic.pelagic_hull_inputs)
             inputs.force.force_n[:] = [3000, 0, 500] if frame < frames // 2 else [0, 0, 0]

@@ -28,7 +28,7 @@ static int find_functions(HMODULE library, pelagic_functions* functions) {
 static int print_frames(const pelagic_functions* pelagic, pelagic_ocean* ocean) {
     const double times_s[] = {0, 12.34};
     for (int i = 0; i < 2; ++i) {
-        pelagic_frame frame = {.struct_size = sizeof frame};
+        pelagic_frame frame;
         uint64_t hash;
         if (pelagic->pelagic_ocean_schedule(ocean, times_s[i]) != PELAGIC_OK ||
             pelagic->pelagic_ocean_complete(ocean, &frame) != PELAGIC_OK ||

@@ -40,7 +40,7 @@ def write(header, layout):
 
 def breaks(stored, now):
     """Differences that break applications of the stored version. Later versions may add
-    declarations, and fields at the end of a struct, so its size may grow.
+    declarations, and fields at the end of a struct with struct_size, which may grow.
 
     stored, now  lines as write() makes them
     """
@@ -50,8 +50,8 @@ def breaks(stored, now):
 
     (old_numbers, old_functions), (new_numbers, new_functions) = split(stored), split(now)
     for name, number in old_numbers.items():
-        is_size = name.startswith("pelagic_") and "." not in name
-        if name not in new_numbers or (int(new_numbers[name]) < int(number) if is_size else new_numbers[name] != number):
+        may_grow = f"{name}.struct_size" in old_numbers
+        if name not in new_numbers or (int(new_numbers[name]) < int(number) if may_grow else new_numbers[name] != number):
             yield f"{name}: {number} in version 1.0, now {new_numbers.get(name, 'missing')}"
     for function in sorted(old_functions - new_functions):
         yield f"{function}: in version 1.0, now missing or different"

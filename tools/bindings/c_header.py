@@ -43,10 +43,6 @@ class Field:
     enum: "Enum | None" = None  # of the values, which only the comment names
 
     @property
-    def is_reserved(self):
-        return re.fullmatch(r"reserved(_\d+)?", self.name) is not None
-
-    @property
     def is_flag(self):
         return self.type.c() == "int32_t" and re.match("Nonzero[: ]", self.doc) is not None
 
@@ -59,6 +55,7 @@ class Struct:
 
     @property
     def has_size(self):
+        """Whether the library reads the struct, which later versions may then extend."""
         return self.fields[0].name == "struct_size"
 
     @property
@@ -269,12 +266,16 @@ def size_and_alignment(header, type_):
     return size, size
 
 
+def field_bytes(header, field):
+    return size_and_alignment(header, field.type)[0] * (field.count or 1)
+
+
 def layout_of(header, struct):
     """Size, offsets by field name, and alignment, by the rules of 64-bit systems."""
     end, largest, offsets = 0, 1, {}
     for field in struct.fields:
-        size, alignment = size_and_alignment(header, field.type)
+        _, alignment = size_and_alignment(header, field.type)
         offsets[field.name] = end = -(-end // alignment) * alignment
-        end += size * (field.count or 1)
+        end += field_bytes(header, field)
         largest = max(largest, alignment)
     return -(-end // largest) * largest, offsets, largest

@@ -51,7 +51,7 @@ class Names:
             if is_public(struct):
                 self.words[struct.name] = type_name(struct.name)
             for field in struct.fields:
-                if "_" in field.name and field.name != "struct_size" and not field.is_reserved:
+                if "_" in field.name and field.name != "struct_size":
                     self.words[field.name] = pascal(field.name)
 
     def doc(self, text, indent):
@@ -106,7 +106,7 @@ def write_public_struct(names, struct):
     name = type_name(struct.name)
     lines = names.doc(struct.doc, "    ") + ["    [StructLayout(LayoutKind.Sequential)]", f"    public partial struct {name}", "    {"]
     for field in struct.fields:
-        if field.name == "struct_size" or field.is_reserved:
+        if field.name == "struct_size":
             lines.append(f"        internal {field_type(names, field.type)} {field.name};")
             continue
         lines += names.doc(field.doc, "        ")
@@ -138,7 +138,7 @@ def write_internal_struct(names, struct):
 
 
 def write_option_class(names, struct):
-    fields = [f for f in struct.fields if f.name != "struct_size" and not f.is_reserved and not f.type.pointers and not f.type.function
+    fields = [f for f in struct.fields if f.name != "struct_size" and not f.type.pointers and not f.type.function
               and f.type.base != "size_t"]
     lines = names.doc(struct.doc, "    ") + [f"    public sealed partial class {type_name(struct.name)}", "    {"]
     for field in fields:

@@ -44,7 +44,6 @@ namespace Pelagic
         public uint Add(Hull hull, HullState state)
         {
             if (hull == null) throw new ArgumentNullException(nameof(hull));
-            state.struct_size = (uint)sizeof(HullState);
             uint number;
             using (new Use(ocean.Handle))
             using (var kind = new Use(hull.Handle))
@@ -70,7 +69,6 @@ namespace Pelagic
         /// <summary>Replaces the state of a body.</summary>
         public void SetState(uint number, HullState state)
         {
-            state.struct_size = (uint)sizeof(HullState);
             using (new Use(ocean.Handle))
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_bodies_set_state(use.Pointer, number, &state));
         }
@@ -78,7 +76,7 @@ namespace Pelagic
         /// <summary>The state of a body.</summary>
         public HullState State(uint number)
         {
-            var state = new HullState { struct_size = (uint)sizeof(HullState) };
+            HullState state;
             using (new Use(ocean.Handle))
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_bodies_get_state(use.Pointer, number, &state));
             return state;
@@ -87,7 +85,7 @@ namespace Pelagic
         /// <summary>The loads of a body in the last step.</summary>
         public HullLoads Loads(uint number)
         {
-            var loads = new HullLoads { struct_size = (uint)sizeof(HullLoads) };
+            HullLoads loads;
             using (new Use(ocean.Handle))
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_bodies_get_loads(use.Pointer, number, &loads));
             return loads;

@@ -161,10 +161,7 @@ namespace Pelagic
                     slot = slots[++views & 1];
                     using (new Use(owner))
                     fixed (Native.pelagic_dynamic_waves_view* view = &slot.View)
-                    {
-                        view->struct_size = (uint)sizeof(Native.pelagic_dynamic_waves_view);
                         Errors.Check(Native.pelagic_dynamic_waves_get_view(waves, view));
-                    }
                     slot.Step = steps.Count;
                     slot.Begin(views);
                 }

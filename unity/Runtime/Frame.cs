@@ -53,22 +53,13 @@ namespace Pelagic
         {
             for (var i = 0; i < Frame.cascade_count; ++i)
                 fixed (Native.pelagic_cascade* cascade = &Cascades[i])
-                {
-                    cascade->struct_size = (uint)sizeof(Native.pelagic_cascade);
                     Errors.Check(Native.pelagic_ocean_cascade(ocean, i, cascade));
-                }
             if (hasShore)
                 fixed (Native.pelagic_shore_surface* shore = &Shore)
-                {
-                    shore->struct_size = (uint)sizeof(Native.pelagic_shore_surface);
                     Errors.Check(Native.pelagic_ocean_shore(ocean, shore));
-                }
             if (waves != IntPtr.Zero)
                 fixed (Native.pelagic_dynamic_waves_view* view = &Waves)
-                {
-                    view->struct_size = (uint)sizeof(Native.pelagic_dynamic_waves_view);
                     Errors.Check(Native.pelagic_dynamic_waves_get_view(waves, view));
-                }
         }
     }
 
@@ -120,7 +111,7 @@ namespace Pelagic
         {
             get
             {
-                if (Slot.Shore.struct_size == 0) throw new InvalidOperationException("The ocean has no shore.");
+                if (Slot.Shore.columns == 0) throw new InvalidOperationException("The ocean has no shore.");
                 return new Shoreline(slot, number);
             }
         }
@@ -130,7 +121,7 @@ namespace Pelagic
         {
             get
             {
-                if (Slot.Waves.struct_size == 0) throw new InvalidOperationException("The ocean has no dynamic waves.");
+                if (Slot.Waves.resolution == 0) throw new InvalidOperationException("The ocean has no dynamic waves.");
                 return new DynamicWavesView(slot, number, slot.Waves);
             }
         }

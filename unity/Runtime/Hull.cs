@@ -86,7 +86,7 @@ namespace Pelagic
         {
             get
             {
-                var info = new HullInfo { struct_size = (uint)sizeof(HullInfo) };
+                HullInfo info;
                 using (var use = new Use(Handle)) Errors.Check(Native.pelagic_hull_describe(use.Pointer, &info));
                 return info;
             }
@@ -95,7 +95,7 @@ namespace Pelagic
         /// <summary>The hull upright and at rest in still water. The heading is from +x to +z.</summary>
         public HullState AtRest(double xM, double zM, double headingRad = 0)
         {
-            var state = new HullState { struct_size = (uint)sizeof(HullState) };
+            HullState state;
             using (var use = new Use(Handle)) Errors.Check(Native.pelagic_hull_at_rest(use.Pointer, xM, zM, headingRad, &state));
             return state;
         }
@@ -123,9 +123,8 @@ namespace Pelagic
         {
             if (ocean == null) throw new ArgumentNullException(nameof(ocean));
             var changed = state;
-            changed.struct_size = (uint)sizeof(HullState);
             inputs.struct_size = (uint)sizeof(HullInputs);
-            var loads = new HullLoads { struct_size = (uint)sizeof(HullLoads) };
+            HullLoads loads;
             using (var use = new Use(Handle))
             using (var water = new Use(ocean.Handle))
                 Errors.Check(accelerates

@@ -118,8 +118,22 @@ namespace Pelagic
     public partial struct Sea
     {
         internal uint struct_size;
+        /// <summary>
+        /// Wave model, WavesKind A pond has one cascade. Only a spectrum uses spectrum,
+        /// spreading, FetchM, DepthM, ShortWaveCutoff, WindAlignment, the swell and seed; only the
+        /// other models use WaveCount and the fields from LongestWaveM on.
+        /// </summary>
+        public WavesKind Waves;
         /// <summary>Spectrum</summary>
         public Spectrum Spectrum;
+        /// <summary>Spreading; phillips-paper accepts only the paper's</summary>
+        public Spreading Spreading;
+        /// <summary>
+        /// Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if PatchSizeM is
+        /// set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
+        /// PatchSizeM.
+        /// </summary>
+        public int Cascades;
         /// <summary>
         /// N, texels along a side of a cascade; a power of two, 16 to 2048. 0: 128, or 256 if
         /// PatchSizeM is set.
@@ -127,6 +141,8 @@ namespace Pelagic
         public int Resolution;
         /// <summary>seed of the random phases and amplitudes</summary>
         public uint Seed;
+        /// <summary>number of analytic waves (0: 16) or pond octaves (0: 24); 1 to 64</summary>
+        public int WaveCount;
         /// <summary>Side of the only cascade; [0.001, 1e6]. 0: sides derived from the sea.</summary>
         public double PatchSizeM;
         /// <summary>U10, mean wind speed 10 m above the sea; (0, 60]</summary>
@@ -155,9 +171,6 @@ namespace Pelagic
         public double WindAlignment;
         /// <summary>T, the period after which the sea repeats exactly; [0.1, 86400].</summary>
         public double LoopPeriodS;
-        /// <summary>Spreading; phillips-paper accepts only the paper's</summary>
-        public Spreading Spreading;
-        internal uint reserved;
         /// <summary>significant wave height of the swell; 0: no swell; [0, 30]</summary>
         public double SwellHeightM;
         /// <summary>peak period of the swell; [1, 40]</summary>
@@ -166,21 +179,6 @@ namespace Pelagic
         public double SwellDirectionRad;
         /// <summary>Standard deviation of its directions; [pi/180, 4 pi/9].</summary>
         public double SwellSpreadRad;
-        /// <summary>
-        /// Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if PatchSizeM is
-        /// set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
-        /// PatchSizeM.
-        /// </summary>
-        public int Cascades;
-        internal uint reserved_1;
-        /// <summary>
-        /// Wave model, WavesKind A pond has one cascade. Only a spectrum uses spectrum,
-        /// spreading, FetchM, DepthM, ShortWaveCutoff, WindAlignment, the swell and seed; only the
-        /// other models use the fields below.
-        /// </summary>
-        public WavesKind Waves;
-        /// <summary>number of analytic waves (0: 16) or pond octaves (0: 24); 1 to 64</summary>
-        public int WaveCount;
         /// <summary>longest wavelength; [0.02, 1000]. 0: 120, of a pond 1.2</summary>
         public double LongestWaveM;
         /// <summary>shortest wavelength; [0.01, 1000]. 0: longest / 60, of a pond / 45</summary>
@@ -201,8 +199,6 @@ namespace Pelagic
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Statistics
     {
-        internal uint struct_size;
-        internal uint reserved;
         /// <summary>significant wave height, 4 sqrt(variance)</summary>
         public double ExpectedWaveHeightM;
         public double RealisedWaveHeightM;
@@ -254,7 +250,6 @@ namespace Pelagic
     public partial struct WaterFrame
     {
         internal uint struct_size;
-        internal uint reserved;
         /// <summary>[-1000, 1000]</summary>
         public double SeaLevelM;
         /// <summary>[-10, 10]</summary>
@@ -322,7 +317,6 @@ namespace Pelagic
         public Shape Shape;
         /// <summary>DisturbanceKind</summary>
         public DisturbanceKind Mode;
-        internal uint reserved;
         /// <summary>position in the world; [-1e8, 1e8]</summary>
         public double XM;
         /// <summary>position in the world; [-1e8, 1e8]</summary>
@@ -418,7 +412,6 @@ namespace Pelagic
     public partial struct Ripple
     {
         internal uint struct_size;
-        internal uint reserved;
         /// <summary>centre; [-1e8, 1e8]</summary>
         public double XM;
         /// <summary>centre; [-1e8, 1e8]</summary>
@@ -440,7 +433,6 @@ namespace Pelagic
     public partial struct Ray
     {
         internal uint struct_size;
-        internal uint reserved;
         /// <summary>x, y, z; [-1e9, 1e9]</summary>
         public double OriginXM, OriginYM, OriginZM;
         /// <summary>of any length in [1e-100, 1e100]</summary>
@@ -452,15 +444,14 @@ namespace Pelagic
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Hit
     {
-        internal uint struct_size;
         /// <summary>0: no intersection within ReachM, and the other fields are 0</summary>
         public int IsHit;
         /// <summary>1: the ray leaves the water</summary>
         public int FromBelow;
-        /// <summary>upper normal of the surface, whichever side is hit</summary>
-        public float NormalX, NormalY, NormalZ;
         public double DistanceM;
         public double PositionXM, PositionYM, PositionZM;
+        /// <summary>upper normal of the surface, whichever side is hit</summary>
+        public float NormalX, NormalY, NormalZ;
     }
 
     /// <summary>
@@ -470,9 +461,6 @@ namespace Pelagic
     [StructLayout(LayoutKind.Sequential)]
     public partial struct HullInfo
     {
-        internal uint struct_size;
-        /// <summary>1: it floats, 0: it sinks</summary>
-        public int Floats;
         public double VolumeM3;
         /// <summary>of the volume</summary>
         public double CentreXM, CentreYM, CentreZM;
@@ -494,6 +482,8 @@ namespace Pelagic
         public double PitchGmM;
         /// <summary>Of mesh, mass and coefficients: hulls of equal digests move bit-identically.</summary>
         public ulong Digest;
+        /// <summary>1: it floats, 0: it sinks</summary>
+        public int Floats;
         /// <summary>of the merged mesh</summary>
         public int VertexCount;
         /// <summary>of the merged mesh</summary>
@@ -502,13 +492,11 @@ namespace Pelagic
 
     /// <summary>
     /// A rigid body in the world's axes, and what the water's forces depend on of the preceding step.
+    /// The library reads and writes it; it has no struct_size.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct HullState
     {
-        internal uint struct_size;
-        /// <summary>0: no acceleration of the water and no slamming</summary>
-        public int HasPreviousStep;
         /// <summary>of the centre of mass; [-1e8, 1e8]</summary>
         public double PositionXM, PositionYM, PositionZM;
         /// <summary>unit quaternion x, y, z, w: world from hull</summary>
@@ -525,6 +513,8 @@ namespace Pelagic
         public double WaterRotationXRadps, WaterRotationYRadps, WaterRotationZRadps;
         /// <summary>[0, 1]</summary>
         public double Submersion;
+        /// <summary>0: no acceleration of the water and no slamming</summary>
+        public int HasPreviousStep;
     }
 
     /// <summary>A force and its torque about the centre of mass, in the world's axes.</summary>
@@ -540,7 +530,6 @@ namespace Pelagic
     public partial struct HullInputs
     {
         internal uint struct_size;
-        internal uint reserved;
         public HullForce Force;
         /// <summary>[-1000, 1000]</summary>
         public double WindXMps, WindYMps, WindZMps;
@@ -553,8 +542,6 @@ namespace Pelagic
     [StructLayout(LayoutKind.Sequential)]
     public partial struct HullLoads
     {
-        internal uint struct_size;
-        internal uint reserved;
         public HullForce Total;
         /// <summary>of the water's weight and acceleration</summary>
         public HullForce Pressure;
@@ -621,18 +608,6 @@ namespace Pelagic
         /// transforms.
         /// </summary>
         public bool Velocities;
-        /// <summary>largest error of a converged point; 0: 0.001, else [1e-6, 1000]</summary>
-        public double QueryToleranceM;
-        /// <summary>
-        /// Slopes and moments of each cascade, Textures They are on by default if the sea has
-        /// 2 or more cascades, with foam, and without gradients. Foam needs them.
-        /// </summary>
-        public Textures Slopes;
-        /// <summary>
-        /// Gradients of each cascade, Textures They are on by default if the sea has 1
-        /// cascade, and without slopes. Slopes and gradients cannot both be off.
-        /// </summary>
-        public Textures Gradients;
         /// <summary>
         /// True enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
         /// a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
@@ -645,27 +620,39 @@ namespace Pelagic
         /// with queries, velocities, dynamic waves, a shore, spray or wave inputs.
         /// </summary>
         public bool TexturesOnly;
+        /// <summary>
+        /// Slopes and moments of each cascade, Textures They are on by default if the sea has
+        /// 2 or more cascades, with foam, and without gradients. Foam needs them.
+        /// </summary>
+        public Textures Slopes;
+        /// <summary>
+        /// Gradients of each cascade, Textures They are on by default if the sea has 1
+        /// cascade, and without slopes. Slopes and gradients cannot both be off.
+        /// </summary>
+        public Textures Gradients;
+        /// <summary>largest error of a converged point; 0: 0.001, else [1e-6, 1000]</summary>
+        public double QueryToleranceM;
 
         private void CopyTo(ref Native.pelagic_ocean_options native)
         {
             native.queries = Queries ? 1 : 0;
             native.velocities = Velocities ? 1 : 0;
-            native.query_tolerance_m = QueryToleranceM;
-            native.slopes = Slopes;
-            native.gradients = Gradients;
             native.foam = Foam ? 1 : 0;
             native.textures_only = TexturesOnly ? 1 : 0;
+            native.slopes = Slopes;
+            native.gradients = Gradients;
+            native.query_tolerance_m = QueryToleranceM;
         }
 
         private void CopyFrom(in Native.pelagic_ocean_options native)
         {
             Queries = native.queries != 0;
             Velocities = native.velocities != 0;
-            QueryToleranceM = native.query_tolerance_m;
-            Slopes = native.slopes;
-            Gradients = native.gradients;
             Foam = native.foam != 0;
             TexturesOnly = native.textures_only != 0;
+            Slopes = native.slopes;
+            Gradients = native.gradients;
+            QueryToleranceM = native.query_tolerance_m;
         }
     }
 
@@ -805,7 +792,6 @@ namespace Pelagic
             internal uint struct_size;
             internal ExecutorKind kind;
             internal int threads;
-            internal uint reserved;
             internal ulong cpu_mask;
             internal IntPtr parallel_for;
             internal IntPtr submit;
@@ -818,36 +804,32 @@ namespace Pelagic
             internal uint struct_size;
             internal int queries;
             internal int velocities;
-            internal uint reserved;
+            internal int foam;
+            internal int textures_only;
+            internal Textures slopes;
+            internal Textures gradients;
             internal IntPtr executor;
             internal byte* isa;
             internal double query_tolerance_m;
             internal IntPtr allocate;
             internal IntPtr release;
             internal void* memory_user;
-            internal Textures slopes;
-            internal Textures gradients;
-            internal int foam;
-            internal int textures_only;
             internal DynamicWavesOptions* dynamic_waves;
             internal pelagic_shore_options* shore;
+            internal SprayOptions* spray;
             internal UIntPtr input_count;
             internal IntPtr* inputs;
-            internal SprayOptions* spray;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_ocean_info
         {
-            internal uint struct_size;
-            internal int resolution;
-            internal int threads;
-            internal uint reserved;
             internal ulong memory_bytes;
             internal byte* isa;
             internal byte* executor;
+            internal int resolution;
             internal int cascade_count;
-            internal uint reserved_1;
+            internal int threads;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -863,8 +845,8 @@ namespace Pelagic
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_frame
         {
-            internal uint struct_size;
             internal int resolution;
+            internal int cascade_count;
             internal double time_s;
             internal double patch_size_m;
             internal pelagic_plane dx;
@@ -875,24 +857,21 @@ namespace Pelagic
             internal pelagic_plane velocity_z;
             internal ushort* displacement_rgba16f;
             internal uint* gradient_rgba8;
+            internal double foam_drift_x_mps;
+            internal double foam_drift_z_mps;
             internal int gradient_levels;
             internal fixed uint gradient_offset[12];
             internal Bounds bounds;
-            internal uint reserved_1;
-            internal int cascade_count;
             internal float roughness;
-            internal double foam_drift_x_mps;
-            internal double foam_drift_z_mps;
             internal float foam_level;
             internal fixed float foam_age[16];
-            internal uint reserved_2;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_cascade
         {
-            internal uint struct_size;
             internal int resolution;
+            internal int levels;
             internal double side_m;
             internal double cosine;
             internal double sine;
@@ -906,12 +885,6 @@ namespace Pelagic
             internal uint* gradient_rgba8;
             internal uint* slopes_rgba8;
             internal uint* moments_rgba8;
-            internal float slope_range;
-            internal float variance_range;
-            internal int levels;
-            internal fixed uint level_offset[12];
-            internal Bounds bounds;
-            internal uint reserved_1;
             internal byte* compression_r8;
             internal uint* snapshots_rgba8_0, snapshots_rgba8_1, snapshots_rgba8_2, snapshots_rgba8_3;
             internal uint* snapshots_rgba8(int index)
@@ -922,8 +895,11 @@ namespace Pelagic
             internal fixed ulong snapshots_version[4];
             internal double drift_columns;
             internal double drift_rows;
+            internal fixed uint level_offset[12];
+            internal Bounds bounds;
+            internal float slope_range;
+            internal float variance_range;
             internal float compression_scale;
-            internal uint reserved_2;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -977,7 +953,6 @@ namespace Pelagic
         internal struct pelagic_change
         {
             internal uint struct_size;
-            internal uint reserved;
             internal Sea* sea;
             internal double from_s;
             internal double over_s;
@@ -998,7 +973,6 @@ namespace Pelagic
         internal struct pelagic_dynamic_waves_resources
         {
             internal uint struct_size;
-            internal uint reserved;
             internal IntPtr executor;
             internal byte* isa;
             internal IntPtr allocate;
@@ -1009,14 +983,13 @@ namespace Pelagic
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_dynamic_waves_view
         {
-            internal uint struct_size;
-            internal int resolution;
             internal long first_x;
             internal long first_z;
             internal double texel_m;
             internal float* height_m;
             internal float* vertical_velocity_mps;
             internal byte* foam;
+            internal int resolution;
             internal float height_min_m;
             internal float height_max_m;
         }
@@ -1025,7 +998,6 @@ namespace Pelagic
         internal struct pelagic_droplets
         {
             internal uint struct_size;
-            internal uint reserved;
             internal UIntPtr room;
             internal double* x_m;
             internal double* y_m;
@@ -1056,10 +1028,8 @@ namespace Pelagic
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_shore_surface
         {
-            internal uint struct_size;
             internal int columns;
             internal int rows;
-            internal float weights_change_per_m;
             internal double texel_m;
             internal double x_m;
             internal double z_m;
@@ -1069,16 +1039,16 @@ namespace Pelagic
             internal float* vertical_velocity_mps;
             internal float* reach_m;
             internal byte* foam;
+            internal float* potential_m2ps;
             internal float height_min_m;
             internal float height_max_m;
-            internal float* potential_m2ps;
+            internal float weights_change_per_m;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_waves
         {
             internal uint struct_size;
-            internal uint reserved;
             internal UIntPtr count;
             internal double* amplitude_m;
             internal double* wavelength_m;
@@ -1090,25 +1060,23 @@ namespace Pelagic
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_input_rows
         {
-            internal uint struct_size;
-            internal int cascade;
             internal double time_s;
             internal double loop_period_s;
-            internal uint loop_turns;
-            internal int is_tick;
             internal double side_m;
             internal double cosine;
             internal double sine;
-            internal int resolution;
-            internal int first_row;
-            internal int row_count;
-            internal uint reserved;
             internal float* dx;
             internal float* height;
             internal float* dz;
             internal float* velocity_x;
             internal float* velocity_y;
             internal float* velocity_z;
+            internal int cascade;
+            internal int resolution;
+            internal int first_row;
+            internal int row_count;
+            internal uint loop_turns;
+            internal int is_tick;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1125,19 +1093,16 @@ namespace Pelagic
         internal struct pelagic_points
         {
             internal uint struct_size;
-            internal uint reserved;
+            internal Interpolation interpolation;
             internal UIntPtr count;
             internal double* x;
             internal double* z;
-            internal Interpolation interpolation;
-            internal uint reserved_1;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_samples
         {
             internal uint struct_size;
-            internal uint reserved;
             internal float* height_m;
             internal float* normal_x;
             internal float* normal_y;
@@ -1155,7 +1120,6 @@ namespace Pelagic
         internal struct pelagic_hull_mesh
         {
             internal uint struct_size;
-            internal uint reserved;
             internal UIntPtr vertex_count;
             internal double* vertices_m;
             internal UIntPtr triangle_count;
@@ -1166,7 +1130,6 @@ namespace Pelagic
         internal struct pelagic_hull_options
         {
             internal uint struct_size;
-            internal uint reserved;
             internal double mass_kg;
             internal double* centre_of_mass_m;
             internal double* inertia_kgm2;

@@ -142,7 +142,7 @@ namespace Pelagic
         {
             get
             {
-                var info = new Native.pelagic_ocean_info { struct_size = (uint)sizeof(Native.pelagic_ocean_info) };
+                Native.pelagic_ocean_info info;
                 using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_describe(use.Pointer, &info));
                 return new OceanInfo(info);
             }
@@ -176,10 +176,7 @@ namespace Pelagic
             {
                 var slot = slots[frames & 1];
                 fixed (Native.pelagic_frame* frame = &slot.Frame)
-                {
-                    frame->struct_size = (uint)sizeof(Native.pelagic_frame);
                     CheckWithCallbacks(Native.pelagic_ocean_complete(use.Pointer, frame));
-                }
                 slot.Read(use.Pointer, waves, hasShore);
                 slot.Begin(++frames);
                 return new Frame(slot);

@@ -84,7 +84,7 @@ namespace Pelagic
         public Hit FirstHit(Ray ray)
         {
             ray.struct_size = (uint)sizeof(Ray);
-            var hit = new Hit { struct_size = (uint)sizeof(Hit) };
+            Hit hit;
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_first_hit(use.Pointer, &ray, &hit));
             return hit;
         }

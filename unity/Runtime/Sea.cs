@@ -35,7 +35,7 @@ namespace Pelagic
         public Statistics Statistics()
         {
             var sea = Sized();
-            var statistics = new Statistics { struct_size = (uint)sizeof(Statistics) };
+            Statistics statistics;
             Errors.Check(Native.pelagic_sea_statistics(&sea, &statistics));
             return statistics;
         }
