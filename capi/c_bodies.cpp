@@ -36,7 +36,7 @@ pelagic_status pelagic_bodies_create(pelagic_ocean* ocean, const pelagic_bodies_
     return guarded([&] {
         pelagic_bodies*& out = needed(bodies, "bodies");
         out = nullptr;
-        const pelagic_bodies_options from = options ? read_struct(options, "options") : pelagic_bodies_options{};
+        const pelagic_bodies_options from = options ? read_struct(options, "options") : pelagic_bodies_options_make();
         const pelagic_ocean& of = needed(ocean, "ocean");
         if (const FrameContents& contents = of.ocean.contents(); !contents.queries || !contents.velocities)
             reject("bodies need queries and velocities, which the ocean was created without");

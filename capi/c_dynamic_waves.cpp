@@ -10,8 +10,6 @@
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/disturbance.hpp"
-#include "pelagic/sim/rain.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -21,27 +19,6 @@ static_assert(PELAGIC_SHAPE_HULL == static_cast<int>(Disturbance::Shape::hull));
 static_assert(PELAGIC_DISTURBANCE_RELAXATION == static_cast<int>(Disturbance::Mode::relaxation) &&
               PELAGIC_DISTURBANCE_IMPULSE == static_cast<int>(Disturbance::Mode::impulse) &&
               PELAGIC_DISTURBANCE_FOAM == static_cast<int>(Disturbance::Mode::foam));
-
-/// Converts a disturbance. Throws std::invalid_argument for null, a wrong struct_size and unknown
-/// constants. check() checks the values.
-Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name) {
-    const pelagic_disturbance from = read_struct(pointer, name);
-    if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
-        reject(invalid_value_message("shape", from.shape, "one of PELAGIC_SHAPE_..."));
-    if (from.mode < 0 || from.mode > PELAGIC_DISTURBANCE_FOAM)
-        reject(invalid_value_message("mode", from.mode, "one of PELAGIC_DISTURBANCE_..."));
-    return {.shape = static_cast<Disturbance::Shape>(from.shape),
-            .mode = static_cast<Disturbance::Mode>(from.mode),
-            .x_m = from.x_m,
-            .z_m = from.z_m,
-            .radius_m = from.radius_m,
-            .length_m = from.length_m,
-            .heading_rad = from.heading_rad,
-            .height_m = from.height_m,
-            .rate_per_s = from.rate_per_s,
-            .velocity_x_mps = from.velocity_x_mps,
-            .velocity_z_mps = from.velocity_z_mps};
-}
 
 DynamicWaves& needed_waves(pelagic_dynamic_waves* waves) { return *needed(waves, "waves").waves; }
 
@@ -69,6 +46,33 @@ DynamicWaves::Resources resources_of(const pelagic_dynamic_waves_resources* poin
 
 }  // namespace
 
+Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name) {
+    const pelagic_disturbance from = read_struct(pointer, name);
+    if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
+        reject(invalid_value_message("shape", from.shape, "one of PELAGIC_SHAPE_..."));
+    if (from.mode < 0 || from.mode > PELAGIC_DISTURBANCE_FOAM)
+        reject(invalid_value_message("mode", from.mode, "one of PELAGIC_DISTURBANCE_..."));
+    return {.shape = static_cast<Disturbance::Shape>(from.shape),
+            .mode = static_cast<Disturbance::Mode>(from.mode),
+            .x_m = from.x_m,
+            .z_m = from.z_m,
+            .radius_m = from.radius_m,
+            .length_m = from.length_m,
+            .heading_rad = from.heading_rad,
+            .height_m = from.height_m,
+            .rate_per_s = from.rate_per_s,
+            .velocity_x_mps = from.velocity_x_mps,
+            .velocity_z_mps = from.velocity_z_mps};
+}
+
+Rain rain_of(const pelagic_rain* rain) {
+    const pelagic_rain from = read_struct(rain, "rain");
+    return {.drops_per_m2_s = from.drops_per_m2_s,
+            .radius_m = from.radius_m,
+            .height_m = from.height_m,
+            .seed = from.seed};
+}
+
 DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options) {
     const pelagic_dynamic_waves_options from = read_struct(options, "dynamic_waves");
     if (from.step < 0 || from.step > PELAGIC_DYNAMIC_WAVES_VERLET)
@@ -92,39 +96,6 @@ DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options
 
 using namespace pelagic;
 using namespace pelagic::capi;
-
-pelagic_status pelagic_dynamic_waves_defaults(pelagic_dynamic_waves_options* options) {
-    return guarded([&] {
-        struct_bytes(options, "options");
-        const DynamicWavesOptions ours;
-        pelagic_dynamic_waves_options out{};
-        out.step = static_cast<std::int32_t>(ours.step);
-        out.resolution = ours.resolution;
-        out.ticks_per_s = ours.ticks_per_s;
-        out.side_m = ours.side_m;
-        out.border_m = ours.border_m;
-        out.depth_m = ours.depth_m;
-        out.viscosity_m2ps = ours.viscosity_m2ps;
-        out.wave_speed_mps = ours.wave_speed_mps;
-        out.decay_per_s = ours.decay_per_s;
-        out.foam_height_m = ours.foam_height_m;
-        write_struct(out, options);
-    });
-}
-
-pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance) {
-    return guarded([&] {
-        struct_bytes(disturbance, "disturbance");
-        const Disturbance ours;
-        pelagic_disturbance out{};
-        out.shape = static_cast<std::int32_t>(ours.shape);
-        out.mode = static_cast<std::int32_t>(ours.mode);
-        out.radius_m = ours.radius_m;
-        out.length_m = ours.length_m;
-        out.rate_per_s = ours.rate_per_s;
-        write_struct(out, disturbance);
-    });
-}
 
 pelagic_status pelagic_dynamic_waves_create(const pelagic_dynamic_waves_options* options,
                                             const pelagic_dynamic_waves_resources* resources,
@@ -192,26 +163,10 @@ pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, doubl
     });
 }
 
-pelagic_status pelagic_rain_defaults(pelagic_rain* rain) {
-    return guarded([&] {
-        struct_bytes(rain, "rain");
-        const Rain ours;
-        pelagic_rain out{};
-        out.seed = ours.seed;
-        out.drops_per_m2_s = ours.drops_per_m2_s;
-        out.radius_m = ours.radius_m;
-        out.height_m = ours.height_m;
-        write_struct(out, rain);
-    });
-}
-
 pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, const pelagic_rain* rain) {
     return guarded([&] {
-        const pelagic_rain from = read_struct(rain, "rain");
-        needed_waves(waves).set_rain({.drops_per_m2_s = from.drops_per_m2_s,
-                                      .radius_m = from.radius_m,
-                                      .height_m = from.height_m,
-                                      .seed = from.seed});
+        const Rain ours = rain_of(rain);
+        needed_waves(waves).set_rain(ours);
     });
 }
 

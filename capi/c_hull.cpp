@@ -43,6 +43,22 @@ HullMesh mesh_of(const pelagic_hull_mesh* pointer) {
     return HullMesh(vertices, triangles);
 }
 
+/// Computes loads, and with `accelerates` velocities, and writes them if nothing throws.
+void compute(pelagic_hull* hull, const pelagic_ocean* ocean, pelagic_hull_state* state, double step_s,
+             const pelagic_hull_inputs* inputs, pelagic_hull_loads* loads, bool accelerates) {
+    const Hull& ours = needed(hull, "hull").hull;
+    const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
+    const SurfaceQuery& water = needed_query(*ocean, reader);
+    HullState moved = hull_state_of(state, "state");
+    const HullInputs acting = inputs ? hull_inputs_of(inputs, "inputs") : HullInputs{};
+    const HullLoads result = ours.loads(water, moved, step_s, acting, hull->workspace);
+    if (accelerates) ours.accelerate(moved, result, step_s, acting);
+    *state = c_hull_state_of(moved);
+    if (loads) *loads = c_hull_loads_of(result);
+}
+
+}  // namespace
+
 HullOptions hull_options_of(const pelagic_hull_options* pointer) {
     const pelagic_hull_options from = read_struct(pointer, "options");
     HullOptions options{.mass_kg = from.mass_kg,
@@ -65,22 +81,6 @@ HullOptions hull_options_of(const pelagic_hull_options* pointer) {
     }
     return options;
 }
-
-/// Computes loads, and with `accelerates` velocities, and writes them if nothing throws.
-void compute(pelagic_hull* hull, const pelagic_ocean* ocean, pelagic_hull_state* state, double step_s,
-             const pelagic_hull_inputs* inputs, pelagic_hull_loads* loads, bool accelerates) {
-    const Hull& ours = needed(hull, "hull").hull;
-    const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
-    const SurfaceQuery& water = needed_query(*ocean, reader);
-    HullState moved = hull_state_of(state, "state");
-    const HullInputs acting = inputs ? hull_inputs_of(inputs, "inputs") : HullInputs{};
-    const HullLoads result = ours.loads(water, moved, step_s, acting, hull->workspace);
-    if (accelerates) ours.accelerate(moved, result, step_s, acting);
-    *state = c_hull_state_of(moved);
-    if (loads) *loads = c_hull_loads_of(result);
-}
-
-}  // namespace
 
 HullState hull_state_of(const pelagic_hull_state* state, const char* name) {
     const pelagic_hull_state& from = needed(state, name);
@@ -138,26 +138,6 @@ pelagic_hull_loads c_hull_loads_of(const HullLoads& loads) {
 
 using namespace pelagic;
 using namespace pelagic::capi;
-
-pelagic_status pelagic_hull_defaults(pelagic_hull_options* options) {
-    return guarded([&] {
-        struct_bytes(options, "options");
-        const HullOptions ours;
-        pelagic_hull_options out{};
-        out.heave_damping = ours.heave_damping;
-        out.roll_damping = ours.roll_damping;
-        out.pressure_coefficient = ours.pressure_coefficient;
-        out.suction_coefficient = ours.suction_coefficient;
-        out.friction_coefficient = ours.friction_coefficient;
-        out.air_coefficient = ours.air_coefficient;
-        out.water_density_kgpm3 = ours.water_density_kgpm3;
-        out.air_density_kgpm3 = ours.air_density_kgpm3;
-        out.skeg_m2 = ours.skeg_m2;
-        out.skeg_x_m = ours.skeg_x_m;
-        out.skeg_y_m = ours.skeg_y_m;
-        write_struct(out, options);
-    });
-}
 
 pelagic_status pelagic_hull_create(const pelagic_hull_mesh* mesh, const pelagic_hull_options* options,
                                    pelagic_hull** hull) {

@@ -11,8 +11,9 @@ struct pelagic_hull {
 
 namespace pelagic::capi {
 
-/// Convert structs of the application. Throw std::invalid_argument for null, and inputs for a wrong
-/// struct_size; Hull::check() checks the values.
+/// Convert structs of the application. Throw std::invalid_argument for null and a wrong struct_size;
+/// Hull checks the values.
+HullOptions hull_options_of(const pelagic_hull_options* options);
 HullState hull_state_of(const pelagic_hull_state* state, const char* name);
 HullInputs hull_inputs_of(const pelagic_hull_inputs* inputs, const char* name);
 

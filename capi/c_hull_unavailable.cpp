@@ -17,7 +17,6 @@ pelagic_status unavailable(Handle** out) {
 
 }  // namespace
 
-pelagic_status pelagic_hull_defaults(pelagic_hull_options*) { return unavailable(); }
 pelagic_status pelagic_hull_create(const pelagic_hull_mesh*, const pelagic_hull_options*, pelagic_hull** hull) {
     return unavailable(hull);
 }

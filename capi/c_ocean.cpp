@@ -90,23 +90,6 @@ std::optional<bool> textures_of(const char* name, std::int32_t textures) {
     }
 }
 
-OceanOptions ocean_options_of(const pelagic_ocean_options& options) {
-    OceanOptions result{.queries = options.queries != 0,
-                        .velocities = options.velocities != 0,
-                        .gradients = textures_of("gradients", options.gradients),
-                        .slopes = textures_of("slopes", options.slopes),
-                        .foam = options.foam != 0,
-                        .planes = options.textures_only == 0};
-    if (options.executor) result.executor = options.executor->executor;
-    result.isa = isa_of(options.isa);
-    result.memory = allocator_of(options.allocate, options.release, options.memory_user);
-    if (options.dynamic_waves) result.dynamic_waves = dynamic_waves_options_of(options.dynamic_waves);
-    if (options.shore) result.shore = shore_options_of(options.shore);
-    if (options.spray) result.spray = spray_options_of(options.spray);
-    result.inputs = inputs_of(options.inputs, options.input_count);
-    return result;
-}
-
 void need_finite(double time_s) {
     if (!std::isfinite(time_s)) reject(invalid_value_message("time_s", time_s, "a finite number"));
 }
@@ -258,8 +241,30 @@ using ApplicationTargets = OfEachCascade<pelagic_texture_targets, TextureTargets
 
 }  // namespace
 
+OceanOptions ocean_options_of(const pelagic_ocean_options& options) {
+    OceanOptions result{.queries = options.queries != 0,
+                        .velocities = options.velocities != 0,
+                        .gradients = textures_of("gradients", options.gradients),
+                        .slopes = textures_of("slopes", options.slopes),
+                        .foam = options.foam != 0,
+                        .planes = options.textures_only == 0};
+    if (options.executor) result.executor = options.executor->executor;
+    result.isa = isa_of(options.isa);
+    result.memory = allocator_of(options.allocate, options.release, options.memory_user);
+    if (options.dynamic_waves) result.dynamic_waves = dynamic_waves_options_of(options.dynamic_waves);
+    if (options.shore) result.shore = shore_options_of(options.shore);
+    if (options.spray) result.spray = spray_options_of(options.spray);
+    result.inputs = inputs_of(options.inputs, options.input_count);
+    return result;
+}
+
+WaterFrame water_frame_of(const pelagic_water_frame* water) {
+    const pelagic_water_frame from = read_struct(water, "water");
+    return {from.sea_level_m, from.current_x_mps, from.current_z_mps};
+}
+
 pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options) {
-    const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options{};
+    const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options_make();
     auto* const ocean = new pelagic_ocean(forecast, ocean_options_of(wanted), query_tolerance_m(wanted));
     for (std::size_t i = 0; i < wanted.input_count; ++i) wanted.inputs[i]->has_ocean = true;
     return ocean;
@@ -299,8 +304,7 @@ pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_
 pelagic_status pelagic_ocean_set_water_frame(pelagic_ocean* ocean, const pelagic_water_frame* water) {
     return guarded([&] {
         Ocean& sea = needed(ocean, "ocean").ocean;
-        const pelagic_water_frame wanted = read_struct(water, "water");
-        sea.set_water_frame({wanted.sea_level_m, wanted.current_x_mps, wanted.current_z_mps});
+        sea.set_water_frame(water_frame_of(water));
     });
 }
 

@@ -79,8 +79,14 @@ struct pelagic_ocean {
 
 namespace pelagic::capi {
 
+/// Convert structs of the application. Throw std::invalid_argument for null, a wrong struct_size and
+/// invalid values. ocean_options_of() and emitter_of() have structs that read_struct() has read, and
+/// check() checks the values of emitters and water frames.
+OceanOptions ocean_options_of(const pelagic_ocean_options& options);
 ShoreOptions shore_options_of(const pelagic_shore_options* options);
 SprayOptions spray_options_of(const pelagic_spray_options* options);
+SprayEmitter emitter_of(const pelagic_spray_emitter& emitter);
+WaterFrame water_frame_of(const pelagic_water_frame* water);
 
 /// Throw WrongOrder.
 void need_no_frame_in_flight(const pelagic_ocean& ocean);

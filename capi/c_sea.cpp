@@ -95,13 +95,6 @@ SeaState sea_of(const pelagic_sea* pointer) {
 using namespace pelagic;
 using namespace pelagic::capi;
 
-pelagic_status pelagic_sea_defaults(pelagic_sea* sea) {
-    return guarded([&] {
-        struct_bytes(sea, "sea");
-        write_struct(c_sea_of({}), sea);
-    });
-}
-
 pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
     return guarded([&] {
         const std::string_view wanted = &needed(name, "name");

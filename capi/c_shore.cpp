@@ -43,17 +43,6 @@ ShoreOptions shore_options_of(const pelagic_shore_options* options) {
 using namespace pelagic;
 using namespace pelagic::capi;
 
-pelagic_status pelagic_shore_defaults(pelagic_shore_options* options) {
-    return guarded([&] {
-        struct_bytes(options, "options");
-        const ShoreOptions ours;
-        pelagic_shore_options out{};
-        out.resolution = ours.resolution;
-        out.metres_per_sample = ours.metres_per_sample;
-        write_struct(out, options);
-    });
-}
-
 pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_surface* surface) {
     return guarded([&] {
         const ShoreSurface& shore = shown_shore(needed(ocean, "ocean"));

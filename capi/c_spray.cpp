@@ -12,21 +12,6 @@
 namespace pelagic::capi {
 namespace {
 
-SprayEmitter emitter_of(const pelagic_spray_emitter& from) {
-    return {.time_s = from.time_s,
-            .x_m = from.x_m,
-            .y_m = from.y_m,
-            .z_m = from.z_m,
-            .extent_m = from.extent_m,
-            .velocity_x_mps = from.velocity_x_mps,
-            .velocity_y_mps = from.velocity_y_mps,
-            .velocity_z_mps = from.velocity_z_mps,
-            .spread_mps = from.spread_mps,
-            .radius_m = from.radius_m,
-            .drop_mm = from.drop_mm,
-            .count = from.count};
-}
-
 /// Throws std::invalid_argument without spray.
 template <class COcean>
 COcean& needed_ocean_with_spray(COcean* ocean) {
@@ -48,6 +33,21 @@ void write_members(std::span<const SprayDroplet> droplets, Member SprayDroplet::
 
 }  // namespace
 
+SprayEmitter emitter_of(const pelagic_spray_emitter& from) {
+    return {.time_s = from.time_s,
+            .x_m = from.x_m,
+            .y_m = from.y_m,
+            .z_m = from.z_m,
+            .extent_m = from.extent_m,
+            .velocity_x_mps = from.velocity_x_mps,
+            .velocity_y_mps = from.velocity_y_mps,
+            .velocity_z_mps = from.velocity_z_mps,
+            .spread_mps = from.spread_mps,
+            .radius_m = from.radius_m,
+            .drop_mm = from.drop_mm,
+            .count = from.count};
+}
+
 SprayOptions spray_options_of(const pelagic_spray_options* options) {
     const pelagic_spray_options from = read_struct(options, "spray");
     const SprayOptions ours{.reach_m = from.reach_m, .amount = from.amount, .seed = from.seed};
@@ -59,30 +59,6 @@ SprayOptions spray_options_of(const pelagic_spray_options* options) {
 
 using namespace pelagic;
 using namespace pelagic::capi;
-
-pelagic_status pelagic_spray_defaults(pelagic_spray_options* options) {
-    return guarded([&] {
-        struct_bytes(options, "options");
-        const SprayOptions ours;
-        pelagic_spray_options out{};
-        out.seed = ours.seed;
-        out.reach_m = ours.reach_m;
-        out.amount = ours.amount;
-        write_struct(out, options);
-    });
-}
-
-pelagic_status pelagic_spray_emitter_defaults(pelagic_spray_emitter* emitter) {
-    return guarded([&] {
-        struct_bytes(emitter, "emitter");
-        const SprayEmitter ours;
-        pelagic_spray_emitter out{};
-        out.count = ours.count;
-        out.radius_m = ours.radius_m;
-        out.drop_mm = ours.drop_mm;
-        write_struct(out, emitter);
-    });
-}
 
 pelagic_status pelagic_ocean_set_spray_center(pelagic_ocean* ocean, double x_m, double z_m) {
     return guarded([&] { needed_ocean_with_spray(ocean).ocean.set_spray_center(x_m, z_m); });

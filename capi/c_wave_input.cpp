@@ -12,6 +12,30 @@
 namespace pelagic::capi {
 namespace {
 
+pelagic_input_rows c_rows_of(const InputRows& rows) {
+    const InputMoment& moment = rows.moment;
+    const CascadeGrid& grid = rows.grid();
+    pelagic_input_rows out{};
+    out.cascade = static_cast<std::int32_t>(rows.cascade);
+    out.time_s = moment.time_s;
+    out.loop_period_s = moment.loop_period_s;
+    out.loop_turns = moment.loop_turns;
+    out.is_tick = moment.pass_index == 0 ? 0 : 1;
+    out.side_m = grid.side_m;
+    out.cosine = grid.cosine;
+    out.sine = grid.sine;
+    out.resolution = moment.resolution;
+    out.first_row = static_cast<std::int32_t>(rows.first_row);
+    out.row_count = static_cast<std::int32_t>(rows.row_count);
+    out.dx = rows.dx.data(), out.height = rows.height.data(), out.dz = rows.dz.data();
+    out.velocity_x = rows.velocity_x.data();
+    out.velocity_y = rows.velocity_y.data();
+    out.velocity_z = rows.velocity_z.data();
+    return out;
+}
+
+}  // namespace
+
 AnalyticSea waves_of(const pelagic_waves* pointer) {
     const pelagic_waves from = read_struct(pointer, "waves");
     if (from.count > GerstnerInput::max_waves)
@@ -38,30 +62,6 @@ Ripple ripple_of(const pelagic_ripple* pointer) {
             .reach_m = from.reach_m,
             .phase_rad = from.phase_rad};
 }
-
-pelagic_input_rows c_rows_of(const InputRows& rows) {
-    const InputMoment& moment = rows.moment;
-    const CascadeGrid& grid = rows.grid();
-    pelagic_input_rows out{};
-    out.cascade = static_cast<std::int32_t>(rows.cascade);
-    out.time_s = moment.time_s;
-    out.loop_period_s = moment.loop_period_s;
-    out.loop_turns = moment.loop_turns;
-    out.is_tick = moment.pass_index == 0 ? 0 : 1;
-    out.side_m = grid.side_m;
-    out.cosine = grid.cosine;
-    out.sine = grid.sine;
-    out.resolution = moment.resolution;
-    out.first_row = static_cast<std::int32_t>(rows.first_row);
-    out.row_count = static_cast<std::int32_t>(rows.row_count);
-    out.dx = rows.dx.data(), out.height = rows.height.data(), out.dz = rows.dz.data();
-    out.velocity_x = rows.velocity_x.data();
-    out.velocity_y = rows.velocity_y.data();
-    out.velocity_z = rows.velocity_z.data();
-    return out;
-}
-
-}  // namespace
 
 std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, std::size_t count) {
     std::vector<std::shared_ptr<WaveInput>> ours;

@@ -24,4 +24,9 @@ namespace pelagic::capi {
 /// oceans.
 std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, std::size_t count);
 
+/// Convert structs of the application. Throw std::invalid_argument for null and a wrong struct_size.
+/// The inputs check the values.
+AnalyticSea waves_of(const pelagic_waves* waves);
+Ripple ripple_of(const pelagic_ripple* ripple);
+
 }  // namespace pelagic::capi

@@ -1,9 +1,8 @@
 /* C interface of Pelagic: FFT ocean waves on the CPU, multithreaded and vectorised.
  *
- *   pelagic_sea sea = {.struct_size = sizeof sea};
+ *   pelagic_sea sea = pelagic_sea_make();
  *   pelagic_frame frame;
  *   pelagic_ocean* ocean;
- *   pelagic_sea_defaults(&sea);
  *   sea.wind_speed_mps = 9;
  *   if (pelagic_ocean_create(&sea, NULL, &ocean) != PELAGIC_OK) die(pelagic_last_error());
  *   pelagic_ocean_schedule(ocean, 0);
@@ -33,12 +32,13 @@
  * functions do not repeat these errors. A destroyed handle, or a pointer to less memory than
  * stated, cannot be detected: the behaviour is undefined.
  *
- * Structs. Those that the library reads begin with struct_size, which the caller sets to sizeof
- * before any call. Later versions 1.x may add fields at their end. Sizes from that of the struct's
- * first version to 4096 bytes are accepted; any other size gives PELAGIC_INVALID_ARGUMENT. In a
- * larger struct, of an application built with a newer header, the fields that the library does not
- * define must be 0. Structs that the library writes, and those inside other structs, have no
- * struct_size: versions 1.x do not change them.
+ * Structs. Those that the library reads begin with struct_size. A function with the struct's name
+ * and _make returns one with its struct_size and all defaults; fields that the function does not
+ * name are 0. Later versions 1.x may add fields at the end. Sizes from that of the struct's first
+ * version to 4096 bytes are accepted; any other size gives PELAGIC_INVALID_ARGUMENT. In a larger
+ * struct, of an application built with a newer header, the fields that the library does not define
+ * must be 0. Structs that the library writes, and those inside other structs, have no struct_size:
+ * versions 1.x do not change them.
  *
  * Threads. Each function's comment names one of two rules:
  *   "one thread per ocean" (or per object): one thread at a time calls such functions of an object.
@@ -59,6 +59,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /* Marks what the shared library exports. Applications that link libpelagic.a define PELAGIC_STATIC.
  * Only Pelagic's own build defines PELAGIC_BUILDING. */
@@ -79,6 +80,15 @@
 /* Marks functions that may change in any version. Versions 1.x keep all others: an application runs
  * with the library of its header's version and with every later 1.x. */
 #define PELAGIC_EXPERIMENTAL PELAGIC_API
+
+/* Defines a struct of a type with its struct_size, and 0 in its other fields; or returns it. */
+#define PELAGIC_ZEROS(type, name)  \
+    type name;                     \
+    memset(&name, 0, sizeof name); \
+    name.struct_size = (uint32_t)sizeof name
+#define PELAGIC_RETURN_ZEROS(type) \
+    PELAGIC_ZEROS(type, zeros);    \
+    return zeros
 
 #ifdef __cplusplus
 extern "C" {
@@ -196,12 +206,23 @@ typedef struct pelagic_sea {
     double wave_drag;       /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
 } pelagic_sea;
 
-/* Sets every field but struct_size to its default.
- *
- * sea: resolution, patch_size_m and cascades become 0, which means a derived value.
- *
- * Threads: any. */
-PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
+static inline pelagic_sea pelagic_sea_make(void) {
+    PELAGIC_ZEROS(pelagic_sea, sea);
+    sea.spectrum = PELAGIC_SPECTRUM_JONSWAP;
+    sea.seed = 1;
+    sea.wind_speed_mps = 12;
+    sea.fetch_m = 100e3;
+    sea.depth_m = 4000;
+    sea.choppiness = 0.8;
+    sea.roughness = -1;
+    sea.wind_alignment = 0.5;
+    sea.loop_period_s = 200;
+    sea.swell_period_s = 12;
+    sea.swell_spread_rad = 0.26179938779914943; /* 15 degrees */
+    sea.wave_strength = 1;
+    sea.wave_drag = 0.38;
+    return sea;
+}
 
 /* Sets every field but struct_size to those of a preset.
  *
@@ -312,6 +333,10 @@ typedef struct pelagic_executor_options {
     void* user;
 } pelagic_executor_options;
 
+static inline pelagic_executor_options pelagic_executor_options_make(void) {
+    PELAGIC_RETURN_ZEROS(pelagic_executor_options);
+}
+
 typedef struct pelagic_executor pelagic_executor;
 
 /* Creates an executor, which may serve several oceans.
@@ -403,6 +428,8 @@ typedef struct pelagic_ocean_options {
     struct pelagic_input* const* inputs; /* `input_count` handles; may be NULL if that is 0 */
 } pelagic_ocean_options;
 
+static inline pelagic_ocean_options pelagic_ocean_options_make(void) { PELAGIC_RETURN_ZEROS(pelagic_ocean_options); }
+
 typedef struct pelagic_ocean pelagic_ocean;
 
 /* Creates an ocean and computes the spectrum of its sea.
@@ -433,6 +460,8 @@ typedef struct pelagic_water_frame {
     double sea_level_m;                  /* [-1000, 1000] */
     double current_x_mps, current_z_mps; /* [-10, 10] */
 } pelagic_water_frame;
+
+static inline pelagic_water_frame pelagic_water_frame_make(void) { PELAGIC_RETURN_ZEROS(pelagic_water_frame); }
 
 /* Sets the sea level and the current of frames that are scheduled from now on, and the current of
  * the ocean's dynamic waves. All are 0 at first. The current has flowed since t = 0: to change it
@@ -616,6 +645,10 @@ typedef struct pelagic_texture_targets {
     uint32_t *slopes_rgba8[12], *moments_rgba8[12];
 } pelagic_texture_targets;
 
+static inline pelagic_texture_targets pelagic_texture_targets_make(void) {
+    PELAGIC_RETURN_ZEROS(pelagic_texture_targets);
+}
+
 /* Starts a frame as pelagic_ocean_schedule(), with textures in memory of the application.
  *
  * targets: an array with one struct for each cascade; the memory must stay valid until complete()
@@ -677,6 +710,8 @@ typedef struct pelagic_frame_buffers {
     size_t slopes_count; /* the length of each of the two chains, equal to rgba8_count */
     uint32_t *slopes_rgba8, *moments_rgba8;
 } pelagic_frame_buffers;
+
+static inline pelagic_frame_buffers pelagic_frame_buffers_make(void) { PELAGIC_RETURN_ZEROS(pelagic_frame_buffers); }
 
 /* Copies the frame completed last, also while the next frame is computed. Planes are written in
  * tight rows, and chains with all levels.
@@ -757,6 +792,8 @@ typedef struct pelagic_change {
     double swell_from_m;
 } pelagic_change;
 
+static inline pelagic_change pelagic_change_make(void) { PELAGIC_RETURN_ZEROS(pelagic_change); }
+
 /* A sea and its transitions. All seas have equal numbers and kinds of cascades, resolution,
  * depth_m, loop_period_s and seed. */
 typedef struct pelagic_forecast {
@@ -770,6 +807,8 @@ typedef struct pelagic_forecast {
      * the longest of these seas. Ignored if patch_size_m is set. */
     double largest_peak_m;
 } pelagic_forecast;
+
+static inline pelagic_forecast pelagic_forecast_make(void) { PELAGIC_RETURN_ZEROS(pelagic_forecast); }
 
 /* Creates an ocean with a forecast. The spectra of later seas are computed together with frames,
  * before frames need them. After a jump in time a frame may wait for one.
@@ -822,10 +861,19 @@ typedef struct pelagic_dynamic_waves_options {
     double foam_height_m;  /* height above which foam begins; [0.001, 100] */
 } pelagic_dynamic_waves_options;
 
-/* Sets every field but struct_size: spectral, 256 texels on 64 m, 60 ticks a second.
- *
- * Threads: any. */
-PELAGIC_API pelagic_status pelagic_dynamic_waves_defaults(pelagic_dynamic_waves_options* options);
+static inline pelagic_dynamic_waves_options pelagic_dynamic_waves_options_make(void) {
+    PELAGIC_ZEROS(pelagic_dynamic_waves_options, options);
+    options.resolution = 256;
+    options.ticks_per_s = 60;
+    options.side_m = 64;
+    options.border_m = 12;
+    options.depth_m = 1e4;
+    options.viscosity_m2ps = 2e-3;
+    options.wave_speed_mps = 3;
+    options.decay_per_s = 0.01;
+    options.foam_height_m = 0.2;
+    return options;
+}
 
 enum {
     /* height_m exp(-(r / radius_m)^2) */
@@ -862,11 +910,13 @@ typedef struct pelagic_disturbance {
     double velocity_x_mps, velocity_z_mps;
 } pelagic_disturbance;
 
-/* Sets every field but struct_size: a pressure of 0 m at the origin, radius and length 1 m, rate
- * 10.
- *
- * Threads: any. */
-PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance);
+static inline pelagic_disturbance pelagic_disturbance_make(void) {
+    PELAGIC_ZEROS(pelagic_disturbance, disturbance);
+    disturbance.radius_m = 1;
+    disturbance.length_m = 1;
+    disturbance.rate_per_s = 10;
+    return disturbance;
+}
 
 /* Dynamic waves: wakes, ripples and splashes on a grid around a point that the application sets.
  * Commands are add_impulse, add_source, set_source, remove_source, set_center and set_rain. They
@@ -882,6 +932,10 @@ typedef struct pelagic_dynamic_waves_resources {
     pelagic_release release;
     void* memory_user; /* passed to both; must outlive the waves */
 } pelagic_dynamic_waves_resources;
+
+static inline pelagic_dynamic_waves_resources pelagic_dynamic_waves_resources_make(void) {
+    PELAGIC_RETURN_ZEROS(pelagic_dynamic_waves_resources);
+}
 
 /* Creates dynamic waves without an ocean.
  *
@@ -972,10 +1026,13 @@ typedef struct pelagic_rain {
     double height_m; /* depth of a crater; [-10, 10] */
 } pelagic_rain;
 
-/* Sets every field but struct_size: no rain, drops of 0.25 m radius and 0.02 m depth, seed 1.
- *
- * Threads: any. */
-PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
+static inline pelagic_rain pelagic_rain_make(void) {
+    PELAGIC_ZEROS(pelagic_rain, rain);
+    rain.seed = 1;
+    rain.radius_m = 0.25;
+    rain.height_m = 0.02;
+    return rain;
+}
 
 /* Sets the rain from the next tick on. Saved states include it.
  *
@@ -1056,10 +1113,13 @@ typedef struct pelagic_spray_options {
     double amount;  /* factor on the number of droplets of crests; [0, 10] */
 } pelagic_spray_options;
 
-/* Sets every field but struct_size: seed 1, a reach of 80 m, amount 1.
- *
- * Threads: any. */
-PELAGIC_API pelagic_status pelagic_spray_defaults(pelagic_spray_options* options);
+static inline pelagic_spray_options pelagic_spray_options_make(void) {
+    PELAGIC_ZEROS(pelagic_spray_options, options);
+    options.seed = 1;
+    options.reach_m = 80;
+    options.amount = 1;
+    return options;
+}
 
 /* Droplets that leave a ball at once, for instance at the bow of a ship; in the world. */
 typedef struct pelagic_spray_emitter {
@@ -1074,11 +1134,13 @@ typedef struct pelagic_spray_emitter {
     double drop_mm;    /* diameter of drops, which sets the drag; [0.1, 5] */
 } pelagic_spray_emitter;
 
-/* Sets every field but struct_size: one droplet of 0.05 m at rest at the origin and t = 0, of drops
- * of 1 mm.
- *
- * Threads: any. */
-PELAGIC_API pelagic_status pelagic_spray_emitter_defaults(pelagic_spray_emitter* emitter);
+static inline pelagic_spray_emitter pelagic_spray_emitter_make(void) {
+    PELAGIC_ZEROS(pelagic_spray_emitter, emitter);
+    emitter.count = 1;
+    emitter.radius_m = 0.05;
+    emitter.drop_mm = 1;
+    return emitter;
+}
 
 /* Sets the centre of the spray of crests, usually the camera, in the world. It takes effect at the
  * next schedule, for the ticks computed from then on. It is the origin at first.
@@ -1112,6 +1174,8 @@ typedef struct pelagic_droplets {
     float* opacity; /* at the middle of the droplet, [0, 1] */
     float* age_s;   /* since it left the water, [0, 1.5) */
 } pelagic_droplets;
+
+static inline pelagic_droplets pelagic_droplets_make(void) { PELAGIC_RETURN_ZEROS(pelagic_droplets); }
 
 /* Writes the droplets of the frame completed last: first those of emitters, then those of crests,
  * each with the newest first. Droplets below the water are not removed.
@@ -1176,10 +1240,12 @@ typedef struct pelagic_shore_options {
     double swash_m; /* maximum height that waves reach on dry sand; (0, 10]; 0: from sea and slope */
 } pelagic_shore_options;
 
-/* Sets every field but struct_size: no samples, 1 m between them, 256 texels, a derived swash.
- *
- * Threads: any. */
-PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options);
+static inline pelagic_shore_options pelagic_shore_options_make(void) {
+    PELAGIC_ZEROS(pelagic_shore_options, options);
+    options.resolution = 256;
+    options.metres_per_sample = 1;
+    return options;
+}
 
 /* The waves at a shore. At a drawn position in the rectangle, each cascade is multiplied by its
  * weight there and height_m is added to the sum. Texel (i, j) has the position x_m + i texel_m,
@@ -1242,6 +1308,12 @@ typedef struct pelagic_waves {
     double choppiness;
 } pelagic_waves;
 
+static inline pelagic_waves pelagic_waves_make(void) {
+    PELAGIC_ZEROS(pelagic_waves, waves);
+    waves.choppiness = 1;
+    return waves;
+}
+
 /* Creates an input of Gerstner waves.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
@@ -1268,6 +1340,12 @@ typedef struct pelagic_ripple {
     double reach_m;
     double phase_rad; /* [-2 pi, 2 pi] */
 } pelagic_ripple;
+
+static inline pelagic_ripple pelagic_ripple_make(void) {
+    PELAGIC_ZEROS(pelagic_ripple, ripple);
+    ripple.wavelength_m = 1;
+    return ripple;
+}
 
 /* Creates an input of rings.
  *
@@ -1319,6 +1397,10 @@ typedef struct pelagic_input_callback {
     double largest_slope;
 } pelagic_input_callback;
 
+static inline pelagic_input_callback pelagic_input_callback_make(void) {
+    PELAGIC_RETURN_ZEROS(pelagic_input_callback);
+}
+
 /* Creates an input that calls a function of the application.
  *
  * Errors: PELAGIC_INVALID_ARGUMENT if `add` is NULL or largest_slope is out of range.
@@ -1353,6 +1435,8 @@ typedef struct pelagic_points {
     const double *x, *z; /* `count` values each; may be NULL if that is 0 */
 } pelagic_points;
 
+static inline pelagic_points pelagic_points_make(void) { PELAGIC_RETURN_ZEROS(pelagic_points); }
+
 /* Arrays that receive the results, each as long as the points. A NULL pointer leaves a result out.
  * No array may overlap another or the points. */
 typedef struct pelagic_samples {
@@ -1368,6 +1452,8 @@ typedef struct pelagic_samples {
     /* Fraction covered by foam, 0 to 1; with pelagic_ocean_options.foam, dynamic_waves or shore. */
     float* foam;
 } pelagic_samples;
+
+static inline pelagic_samples pelagic_samples_make(void) { PELAGIC_RETURN_ZEROS(pelagic_samples); }
 
 /* Samples the surface of the frame completed last. If the surface intersects itself above a
  * position, the highest intersection is returned. Results depend only on the frame, the point, the
@@ -1386,6 +1472,8 @@ typedef struct pelagic_ray {
     /* Maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each. */
     double reach_m;
 } pelagic_ray;
+
+static inline pelagic_ray pelagic_ray_make(void) { PELAGIC_RETURN_ZEROS(pelagic_ray); }
 
 typedef struct pelagic_hit {
     int32_t is_hit;     /* 0: no intersection within reach_m, and the other fields are 0 */
@@ -1421,6 +1509,8 @@ typedef struct pelagic_hull_mesh {
     const uint32_t* triangles; /* numbers of the three vertices of each triangle */
 } pelagic_hull_mesh;
 
+static inline pelagic_hull_mesh pelagic_hull_mesh_make(void) { PELAGIC_RETURN_ZEROS(pelagic_hull_mesh); }
+
 typedef struct pelagic_hull_options {
     uint32_t struct_size;
     double mass_kg; /* [1e-6, 1e10] */
@@ -1447,10 +1537,18 @@ typedef struct pelagic_hull_options {
     double skeg_x_m, skeg_y_m; /* its middle in the axes of the mesh; [-1000, 1000] */
 } pelagic_hull_options;
 
-/* Sets every field but struct_size. mass_kg becomes 0, which the caller replaces.
- *
- * Threads: any. */
-PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_defaults(pelagic_hull_options* options);
+static inline pelagic_hull_options pelagic_hull_options_make(void) {
+    PELAGIC_ZEROS(pelagic_hull_options, options);
+    options.heave_damping = 0.2;
+    options.roll_damping = 0.05;
+    options.pressure_coefficient = 0.7;
+    options.suction_coefficient = 0.35;
+    options.friction_coefficient = 4e-3;
+    options.air_coefficient = 1;
+    options.water_density_kgpm3 = 1025;
+    options.air_density_kgpm3 = 1.225;
+    return options;
+}
 
 /* The mesh, mass and coefficients of hulls of one kind. */
 typedef struct pelagic_hull pelagic_hull;
@@ -1527,6 +1625,8 @@ typedef struct pelagic_hull_inputs {
     double wind_mps[3]; /* [-1000, 1000] */
 } pelagic_hull_inputs;
 
+static inline pelagic_hull_inputs pelagic_hull_inputs_make(void) { PELAGIC_RETURN_ZEROS(pelagic_hull_inputs); }
+
 /* Forces of water and air. The total leaves out weight, inputs and the force of added mass that
  * opposes acceleration, -A du/dt. */
 typedef struct pelagic_hull_loads {
@@ -1595,6 +1695,10 @@ typedef struct pelagic_bodies_options {
     int32_t wakes;
     const pelagic_executor* executor; /* of the steps; NULL: PELAGIC_EXECUTOR_DEFAULT */
 } pelagic_bodies_options;
+
+static inline pelagic_bodies_options pelagic_bodies_options_make(void) {
+    PELAGIC_RETURN_ZEROS(pelagic_bodies_options);
+}
 
 /* Creates an empty set.
  *
@@ -1706,4 +1810,6 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_restore_state(pelagic_bodies*
 }
 #endif
 
+#undef PELAGIC_ZEROS
+#undef PELAGIC_RETURN_ZEROS
 #endif

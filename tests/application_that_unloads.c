@@ -11,8 +11,8 @@
 #include "pelagic/capi/pelagic.h"
 
 static int compute_and_unload(const char* path) {
-    pelagic_sea sea = {.struct_size = sizeof sea};
-    const pelagic_ocean_options options = {.struct_size = sizeof options};
+    const pelagic_sea sea = pelagic_sea_make();
+    const pelagic_ocean_options options = pelagic_ocean_options_make();
     pelagic_frame frame;
     pelagic_ocean* ocean = NULL;
     int i;
@@ -25,12 +25,10 @@ static int compute_and_unload(const char* path) {
 #define IMPORTED(name) \
     __typeof__(&name) name##_; \
     *(void**)&name##_ = dlsym(library, #name)
-    IMPORTED(pelagic_sea_defaults);
     IMPORTED(pelagic_ocean_create);
     IMPORTED(pelagic_ocean_schedule);
     IMPORTED(pelagic_ocean_complete);
     IMPORTED(pelagic_ocean_destroy);
-    if (pelagic_sea_defaults_(&sea) != PELAGIC_OK) return 1;
     if (pelagic_ocean_create_(&sea, &options, &ocean) != PELAGIC_OK) return 1;
     for (i = 0; i < 100; ++i)
         if (pelagic_ocean_schedule_(ocean, i / 90.0) != PELAGIC_OK ||

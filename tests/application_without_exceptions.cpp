@@ -28,15 +28,13 @@ bool print_frames(pelagic_ocean* ocean) {
 }  // namespace
 
 int main() {
-    pelagic_sea sea = {};
-    sea.struct_size = sizeof sea;
-    pelagic_sea_defaults(&sea);
+    auto sea = pelagic_sea_make();
     pelagic_ocean* ocean = nullptr;
     sea.wind_speed_mps = -1;
     if (pelagic_ocean_create(&sea, nullptr, &ocean) != PELAGIC_INVALID_ARGUMENT ||
         std::strncmp(pelagic_last_error(), "wind_speed_mps -1", 17) != 0)
         return 1;
-    pelagic_sea_defaults(&sea);
+    sea = pelagic_sea_make();
     const bool done = pelagic_ocean_create(&sea, nullptr, &ocean) == PELAGIC_OK && print_frames(ocean);
     if (!done) std::fprintf(stderr, "%s\n", pelagic_last_error());
     pelagic_ocean_destroy(ocean);

@@ -40,7 +40,7 @@ struct CallerHeap {
 };
 
 pelagic_ocean_options with_heap(CallerHeap& heap) {
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.queries = options.velocities = 1;
     options.allocate = CallerHeap::allocate;
     options.release = CallerHeap::release;
@@ -154,7 +154,7 @@ TEST(CInterfaceErrors, TheCallbackIsCalledForEachFailure) {
 TEST(CInterfaceErrors, MessagesAreOneShortLineWithoutControlCharacters) {
     const pelagic_sea sea = small_sea();
     const auto message_for = [&](const std::string& isa) -> std::string {
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.isa = isa.c_str();
         pelagic_ocean* ocean = nullptr;
         EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT);
@@ -222,7 +222,7 @@ struct FaultyApplication {
     }
 
     COcean ocean(bool with_submit, std::int32_t resolution = 128) {
-        auto options = sized<pelagic_executor_options>();
+        auto options = pelagic_executor_options_make();
         options.kind = PELAGIC_EXECUTOR_APPLICATION;
         options.threads = 2;
         options.parallel_for = parallel_for;
@@ -361,14 +361,14 @@ TEST(CInterfaceApplicationJobs, TasksCalledTwiceAfterTheirOceanIsDestroyedAreHar
 TEST(CInterfaceApplicationJobs, AThrowingLoopPreventsCreationOfAnOcean) {
     FaultyApplication application;
     application.loop = FaultyApplication::Loop::throws;
-    auto options = sized<pelagic_executor_options>();
+    auto options = pelagic_executor_options_make();
     options.kind = PELAGIC_EXECUTOR_APPLICATION;
     options.parallel_for = FaultyApplication::parallel_for;
     options.user = &application;
     pelagic_executor* executor = nullptr;
     ASSERT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK);
     const COceanExecutor held(executor);
-    auto ocean_options = sized<pelagic_ocean_options>();
+    auto ocean_options = pelagic_ocean_options_make();
     ocean_options.executor = executor;
     const pelagic_sea sea = small_sea(128);
     auto* ocean = reinterpret_cast<pelagic_ocean*>(1);

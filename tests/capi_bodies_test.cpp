@@ -25,12 +25,11 @@ class CInterfaceBodies : public testing::Test {
     CHull launch = boat_of(6, 2.2, 1.2, 3500), dinghy = boat_of(4, 1.7, 0.8, 350);
 
     COcean water(double side_m = waves_options.side_m, bool has_waves = true) const {
-        auto waves = sized<pelagic_dynamic_waves_options>();
-        EXPECT_EQ(pelagic_dynamic_waves_defaults(&waves), PELAGIC_OK);
+        auto waves = pelagic_dynamic_waves_options_make();
         waves.resolution = waves_options.resolution;
         waves.side_m = side_m;
         waves.border_m = waves_options.border_m;
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.executor = serial.get();
         options.queries = options.velocities = 1;
         options.dynamic_waves = has_waves ? &waves : nullptr;
@@ -39,7 +38,7 @@ class CInterfaceBodies : public testing::Test {
         return ocean_of(sea, options);
     }
     CBodies bodies_of(const COcean& ocean, bool wakes = true) const {
-        auto options = sized<pelagic_bodies_options>();
+        auto options = pelagic_bodies_options_make();
         options.wakes = wakes;
         options.executor = serial.get();
         pelagic_bodies* bodies = nullptr;
@@ -57,7 +56,7 @@ class CInterfaceBodies : public testing::Test {
         return state;
     }
     static void push(const CBodies& bodies, std::uint32_t number, double force_x_n) {
-        auto inputs = sized<pelagic_hull_inputs>();
+        auto inputs = pelagic_hull_inputs_make();
         inputs.force.force_n[0] = force_x_n;
         inputs.wind_mps[2] = 4;
         EXPECT_EQ(pelagic_bodies_set_inputs(bodies.get(), number, &inputs), PELAGIC_OK) << pelagic_last_error();
@@ -177,7 +176,7 @@ TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
     complete(ocean, 0);
     const std::vector<std::uint8_t> before = saved(bodies);
     auto state = state_of(bodies, 1);
-    auto inputs = sized<pelagic_hull_inputs>();
+    auto inputs = pelagic_hull_inputs_make();
     pelagic_hull_loads loads{};
     expect_rejected(pelagic_bodies_get_state(bodies.get(), 2, &state), "number is 2, expected that of a body");
     expect_rejected(pelagic_bodies_set_state(bodies.get(), 0, &state), "number is 0, expected that of a body");
@@ -218,7 +217,7 @@ TEST_F(CInterfaceBodies, InvalidArgumentsAreRejectedAndChangeNothing) {
     EXPECT_TRUE(saved(bodies) == beyond);
 
     const COcean calm = water(32, false);
-    auto options = sized<pelagic_bodies_options>();
+    auto options = pelagic_bodies_options_make();
     options.wakes = 1;
     pelagic_bodies* none = bodies.get();
     expect_rejected(pelagic_bodies_create(calm.get(), &options, &none),

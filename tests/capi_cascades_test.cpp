@@ -8,7 +8,7 @@ namespace pelagic {
 namespace {
 
 pelagic_ocean_options serial_options(const COceanExecutor& serial) {
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.executor = serial.get();
     return options;
 }
@@ -33,7 +33,7 @@ struct ApplicationTextures {
     std::uint32_t slopes[chain], moments[chain];
 
     pelagic_texture_targets targets(std::uint32_t cascade_count, const std::uint32_t (&offset)[12]) {
-        auto out = sized<pelagic_texture_targets>();
+        auto out = pelagic_texture_targets_make();
         out.cascade_count = cascade_count;
         out.displacement_rgba16f = halves;
         for (int level = 0; level < 6; ++level) {
@@ -266,7 +266,7 @@ TEST_F(CInterfaceCascades, ACopyWritesEachCascadeToItsOwnBuffers) {
 // Before the first complete(), the current frame is that of frame_at(), also for cascades.
 TEST_F(CInterfaceCascades, CascadesOfFrameAtAreAvailableBeforeTheFirstComplete) {
     const COcean ocean = ocean_of(stack_sea(2), serial.get());
-    pelagic_frame_buffers nothing[2] = {sized<pelagic_frame_buffers>(), sized<pelagic_frame_buffers>()};
+    pelagic_frame_buffers nothing[2] = {pelagic_frame_buffers_make(), pelagic_frame_buffers_make()};
     nothing[0].cascade_count = 2;
     ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 4, nothing, nullptr), PELAGIC_OK) << pelagic_last_error();
     pelagic_cascade cascade{};
@@ -324,7 +324,7 @@ TEST_F(CInterfaceCascades, UnsuitableBuffersAreNamed) {
 
     const COcean one = ocean_of(small_sea(32), serial_options(serial));
     complete(one, 0);
-    auto buffers = sized<pelagic_frame_buffers>();
+    auto buffers = pelagic_frame_buffers_make();
     buffers.slopes_rgba8 = chain, buffers.slopes_count = 1365;
     expect_rejected(pelagic_ocean_copy(one.get(), &buffers),
                     "slopes_rgba8 is requested, but the ocean was created without slopes");

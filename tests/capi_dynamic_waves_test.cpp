@@ -12,20 +12,18 @@ class CInterfaceDynamicWaves : public testing::Test {
     COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
 
     COcean with_dynamic_waves(bool has_dynamic_waves = true, double side_m = 32) const {
-        auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
-        EXPECT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
+        auto dynamic_waves = pelagic_dynamic_waves_options_make();
         dynamic_waves.resolution = 64;
         dynamic_waves.side_m = side_m;
         dynamic_waves.border_m = 6;
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.executor = serial.get();
         options.queries = 1;
         options.dynamic_waves = has_dynamic_waves ? &dynamic_waves : nullptr;
         return ocean_of(small_sea(), options);
     }
     static pelagic_disturbance drop(double height_m = 0.5) {
-        auto drop = sized<pelagic_disturbance>();
-        EXPECT_EQ(pelagic_disturbance_defaults(&drop), PELAGIC_OK);
+        auto drop = pelagic_disturbance_make();
         drop.mode = PELAGIC_DISTURBANCE_IMPULSE;
         drop.height_m = height_m;
         return drop;
@@ -56,8 +54,7 @@ class CInterfaceDynamicWaves : public testing::Test {
 };
 
 TEST_F(CInterfaceDynamicWaves, InvalidRainIsRejected) {
-    auto rain = sized<pelagic_rain>();
-    ASSERT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
+    auto rain = pelagic_rain_make();
     const COcean ocean = with_dynamic_waves();
     rain.drops_per_m2_s = 4, rain.radius_m = 3;
     expect_rejected(pelagic_dynamic_waves_set_rain(waves_of(ocean.get()), &rain), PELAGIC_INVALID_ARGUMENT,
@@ -116,14 +113,13 @@ TEST_F(CInterfaceDynamicWaves, RestoreASavedState) {
 // Waves without an ocean that get identical commands at identical times are bit-identical.
 TEST_F(CInterfaceDynamicWaves, StandaloneWavesEqualThoseOfAnOcean) {
     const COcean ocean = with_dynamic_waves();
-    auto options = sized<pelagic_dynamic_waves_options>();
-    ASSERT_EQ(pelagic_dynamic_waves_defaults(&options), PELAGIC_OK);
+    auto options = pelagic_dynamic_waves_options_make();
     options.resolution = 64, options.side_m = 32, options.border_m = 6;
-    auto one_thread = sized<pelagic_executor_options>();
+    auto one_thread = pelagic_executor_options_make();
     one_thread.kind = PELAGIC_EXECUTOR_SERIAL;
     pelagic_executor* executor = nullptr;
     ASSERT_EQ(pelagic_executor_create(&one_thread, &executor), PELAGIC_OK);
-    auto resources = sized<pelagic_dynamic_waves_resources>();
+    auto resources = pelagic_dynamic_waves_resources_make();
     resources.executor = executor;
     resources.isa = "avx3";
     pelagic_dynamic_waves* alone = nullptr;
@@ -196,10 +192,9 @@ TEST_F(CInterfaceDynamicWaves, InvalidArgumentsAreRejected) {
     EXPECT_EQ(pelagic_dynamic_waves_set_center(waves_of(with.get()), std::numeric_limits<double>::quiet_NaN(), 0),
               PELAGIC_INVALID_ARGUMENT);
 
-    auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
-    ASSERT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
+    auto dynamic_waves = pelagic_dynamic_waves_options_make();
     dynamic_waves.border_m = 20;
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.dynamic_waves = &dynamic_waves;
     const pelagic_sea sea = small_sea();
     pelagic_ocean* ocean = nullptr;

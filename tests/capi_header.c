@@ -7,9 +7,8 @@ pelagic_status make_a_sea(pelagic_ocean** ocean);
 double jacobian_at(const pelagic_ocean* ocean, int32_t cascade_count, double x, double z);
 
 pelagic_status make_a_sea(pelagic_ocean** ocean) {
-    pelagic_sea sea = {.struct_size = sizeof sea};
-    const pelagic_status status = pelagic_sea_defaults(&sea);
-    return status == PELAGIC_OK ? pelagic_ocean_create(&sea, NULL, ocean) : status;
+    const pelagic_sea sea = pelagic_sea_make();
+    return pelagic_ocean_create(&sea, NULL, ocean);
 }
 
 double jacobian_at(const pelagic_ocean* ocean, int32_t cascade_count, double x, double z) {

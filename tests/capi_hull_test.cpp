@@ -87,7 +87,7 @@ TEST(CInterfaceHull, LoadsAndVelocitiesEqualThoseOfTheCppInterface) {
     pelagic_hull_state c_state = at_rest(c_hull, 3, -2, 0.4);
     HullWorkspace workspace;
     const HullInputs inputs{.force = {.force_n = {900, 0, -100}, .torque_nm = {0, 50, 0}}, .wind_mps = {6, 0, 2}};
-    auto c_inputs = sized<pelagic_hull_inputs>();
+    auto c_inputs = pelagic_hull_inputs_make();
     c_inputs.force = {{900, 0, -100}, {0, 50, 0}};
     c_inputs.wind_mps[0] = 6, c_inputs.wind_mps[2] = 2;
     pelagic_hull_loads loads{};
@@ -211,7 +211,7 @@ TEST(CInterfaceHull, LoadsNeedQueriesAndVelocities) {
     pelagic_frame frame{};
     const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
     for (const bool queries : {false, true}) {
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.executor = serial.get();
         options.queries = queries;
         const COcean ocean = ocean_of(small_sea(), options);

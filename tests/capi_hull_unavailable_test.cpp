@@ -15,7 +15,7 @@ TEST(CInterfaceHullUnavailable, EachFunctionReportsIt) {
     pelagic_hull_destroy(hull);
     pelagic_bodies_destroy(bodies);
     for (const pelagic_status status :
-         {pelagic_hull_defaults(nullptr), pelagic_hull_describe(nullptr, nullptr),
+         {pelagic_hull_describe(nullptr, nullptr),
           pelagic_hull_at_rest(nullptr, 0, 0, 0, nullptr),
           pelagic_hull_compute_loads(nullptr, nullptr, nullptr, 0, nullptr, nullptr),
           pelagic_hull_accelerate(nullptr, nullptr, nullptr, 0, nullptr, nullptr),

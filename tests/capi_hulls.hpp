@@ -24,7 +24,7 @@ struct HullArrays {
     explicit HullArrays(const HullSoup& soup) : HullArrays(soup.vertices, soup.triangles) {}
 
     pelagic_hull_mesh mesh() const {
-        auto mesh = sized<pelagic_hull_mesh>();
+        auto mesh = pelagic_hull_mesh_make();
         mesh.vertex_count = vertices_m.size() / 3;
         mesh.vertices_m = vertices_m.data();
         mesh.triangle_count = triangles.size() / 3;
@@ -34,8 +34,7 @@ struct HullArrays {
 };
 
 inline pelagic_hull_options hull_options(double mass_kg) {
-    auto options = sized<pelagic_hull_options>();
-    EXPECT_EQ(pelagic_hull_defaults(&options), PELAGIC_OK);
+    auto options = pelagic_hull_options_make();
     options.mass_kg = mass_kg;
     return options;
 }

@@ -37,19 +37,15 @@ void expect_same(const T* c, std::span<const T> cpp) {
 }
 
 TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
-    pelagic_executor_options serial{};
-    serial.struct_size = sizeof serial;
+    auto serial = pelagic_executor_options_make();
     serial.kind = PELAGIC_EXECUTOR_SERIAL;
     pelagic_executor* executor = nullptr;
     ASSERT_EQ(pelagic_executor_create(&serial, &executor), PELAGIC_OK);
     for (const bool has_all : {false, true}) {
-        pelagic_sea sea{};
-        sea.struct_size = sizeof sea;
-        ASSERT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+        auto sea = pelagic_sea_make();
         sea.resolution = 32;
         sea.cascades = 4;
-        pelagic_ocean_options options{};
-        options.struct_size = sizeof options;
+        auto options = pelagic_ocean_options_make();
         options.executor = executor;
         options.velocities = options.gradients = options.slopes = options.foam = has_all;
         pelagic_ocean* made = nullptr;
@@ -133,8 +129,7 @@ TEST(CInterfaceInside, SlopesOfTheExampleInCAreThoseOfTheCppInterface) {
 }
 
 TEST(CInterfaceInside, StatisticsEqualThoseOfTheCppInterface) {
-    pelagic_sea sea{};
-    sea.struct_size = sizeof sea;
+    auto sea = pelagic_sea_make();
     ASSERT_EQ(pelagic_sea_preset("swell", &sea), PELAGIC_OK);
     sea.resolution = 64;
     pelagic_statistics of{};
@@ -186,8 +181,7 @@ TEST(CInterfaceInside, StatisticsEqualThoseOfTheCppInterface) {
 
 TEST(CInterfaceInside, PresetsAreThoseOfTheLibrary) {
     for (const SeaPreset& preset : sea_presets()) {
-        pelagic_sea sea{};
-        sea.struct_size = sizeof sea;
+        auto sea = pelagic_sea_make();
         ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &sea), PELAGIC_OK);
         EXPECT_EQ(hash_of(Ocean(sea_of(&sea)).frame_at(1)), hash_of(Ocean(preset.sea).frame_at(1))) << preset.name;
     }

@@ -66,8 +66,8 @@ TEST(CInterfaceLoad, EightThreadsQueryWhileFramesAreComputed) {
     }
     const auto sample_heights = [&](const pelagic_ocean* ocean) {
         std::vector<float> heights(x.size());
-        auto points = sized<pelagic_points>();
-        auto samples = sized<pelagic_samples>();
+        auto points = pelagic_points_make();
+        auto samples = pelagic_samples_make();
         points.count = x.size(), points.x = x.data(), points.z = z.data();
         samples.height_m = heights.data();
         EXPECT_EQ(pelagic_ocean_query(ocean, &points, &samples), PELAGIC_OK) << pelagic_last_error();

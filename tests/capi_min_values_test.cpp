@@ -112,11 +112,11 @@ std::string first_non_finite(pelagic_ocean* ocean, const pelagic_ocean_options& 
         const std::array<double, 3> x = {0, 7.3, -41}, z = {0, -3.1, 55};
         std::array<std::array<float, 3>, 8> out{};
         std::array<std::uint8_t, 3> converged{};
-        auto points = sized<pelagic_points>();
+        auto points = pelagic_points_make();
         points.count = x.size();
         points.x = x.data();
         points.z = z.data();
-        auto samples = sized<pelagic_samples>();
+        auto samples = pelagic_samples_make();
         samples.height_m = out[0].data();
         samples.normal_x = out[1].data();
         samples.normal_y = out[2].data();
@@ -167,7 +167,7 @@ void walk(const Struct& all, const Named<Struct> (&fields)[count], const std::st
 
 pelagic_ocean_options all_options() {
     static const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.executor = serial.get();
     options.queries = options.velocities = options.slopes = options.gradients = options.foam = 1;
     return options;
@@ -208,8 +208,7 @@ constexpr Kind kinds[] = {
     {"pond", PELAGIC_WAVES_POND, PELAGIC_SPECTRUM_JONSWAP, PELAGIC_SPREADING_PAPER}};
 
 pelagic_sea sea_of(const Kind& kind) {
-    auto sea = sized<pelagic_sea>();
-    EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    auto sea = pelagic_sea_make();
     sea.waves = kind.waves;
     sea.spectrum = kind.spectrum;
     sea.spreading = kind.spreading;
@@ -253,7 +252,7 @@ TEST(CInterfaceSmallestValues, FieldsOfATransitionAreRejectedOrFinite) {
     pelagic_sea later = first;
     later.wind_direction_rad = 1;
     later.swell_height_m = 1;
-    auto usual = sized<pelagic_change>();
+    auto usual = pelagic_change_make();
     usual.sea = &later;
     usual.from_s = 0.1;
     usual.over_s = 1;
@@ -262,7 +261,7 @@ TEST(CInterfaceSmallestValues, FieldsOfATransitionAreRejectedOrFinite) {
             return pelagic_ocean_create_forecast(&forecast, &options, ocean);
         });
     };
-    auto forecast = sized<pelagic_forecast>();
+    auto forecast = pelagic_forecast_make();
     forecast.first = &first;
     forecast.change_count = 1;
     walk(usual, fields, "change", [&](const pelagic_change& change, const std::string& what, const char* name) {
@@ -275,16 +274,14 @@ TEST(CInterfaceSmallestValues, FieldsOfATransitionAreRejectedOrFinite) {
 }
 
 pelagic_dynamic_waves_options dynamic_waves_options(std::int32_t step) {
-    auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
-    EXPECT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
+    auto dynamic_waves = pelagic_dynamic_waves_options_make();
     dynamic_waves.resolution = 64;
     dynamic_waves.step = step;
     return dynamic_waves;
 }
 
 pelagic_disturbance splash(std::int32_t mode, std::int32_t shape) {
-    auto disturbance = sized<pelagic_disturbance>();
-    EXPECT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
+    auto disturbance = pelagic_disturbance_make();
     disturbance.mode = mode;
     disturbance.shape = shape;
     disturbance.radius_m = 3;
@@ -357,8 +354,7 @@ TEST(CInterfaceSmallestValues, FieldsOfRainAreRejectedOrFinite) {
                                               {"radius_m", &pelagic_rain::radius_m},
                                               {"height_m", &pelagic_rain::height_m}};
     const pelagic_sea sea = two_cascades();
-    auto usual = sized<pelagic_rain>();
-    EXPECT_EQ(pelagic_rain_defaults(&usual), PELAGIC_OK);
+    auto usual = pelagic_rain_make();
     usual.drops_per_m2_s = 1;
     for (const std::int32_t step : steps) {
         const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(step);
@@ -382,8 +378,7 @@ TEST(CInterfaceSmallestValues, FieldsOfAShoreAreRejectedOrFinite) {
         {"fade_m", &pelagic_shore_options::fade_m},
         {"swash_m", &pelagic_shore_options::swash_m}};
     const pelagic_sea sea = two_cascades();
-    auto usual = sized<pelagic_shore_options>();
-    EXPECT_EQ(pelagic_shore_defaults(&usual), PELAGIC_OK);
+    auto usual = pelagic_shore_options_make();
     usual.columns = usual.rows = 17;
     usual.resolution = 64;
     usual.metres_per_sample = 10;
@@ -410,8 +405,7 @@ TEST(CInterfaceSmallestValues, SmallestAcceptedValuesGiveFiniteFrames) {
     const pelagic_sea sea = two_cascades();
     std::vector<float> heights(9, -1);
     heights[4] = 1;
-    auto shore = sized<pelagic_shore_options>();
-    EXPECT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
+    auto shore = pelagic_shore_options_make();
     shore.columns = shore.rows = 3;
     shore.resolution = 64;
     shore.heights_m = heights.data();
@@ -425,8 +419,7 @@ TEST(CInterfaceSmallestValues, SmallestAcceptedValuesGiveFiniteFrames) {
         const COcean ocean = ocean_of(sea, options);
         pelagic_disturbance stone = splash(PELAGIC_DISTURBANCE_IMPULSE, PELAGIC_SHAPE_HULL);
         stone.radius_m = stone.length_m = 0.001;
-        auto rain = sized<pelagic_rain>();
-        EXPECT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
+        auto rain = pelagic_rain_make();
         rain.drops_per_m2_s = 1;
         rain.radius_m = 0.001;
         EXPECT_EQ(pelagic_dynamic_waves_add_impulse(waves_of(ocean.get()), &stone), PELAGIC_OK)
@@ -456,7 +449,7 @@ TEST(CInterfaceSmallestValues, FieldsOfARippleAreRejectedOrFinite) {
                                                 {"amplitude_m", &pelagic_ripple::amplitude_m},
                                                 {"reach_m", &pelagic_ripple::reach_m},
                                                 {"phase_rad", &pelagic_ripple::phase_rad}};
-    auto usual = sized<pelagic_ripple>();
+    auto usual = pelagic_ripple_make();
     usual.wavelength_m = 20;
     usual.amplitude_m = 0.5;
     usual.reach_m = 50;
@@ -482,7 +475,7 @@ TEST(CInterfaceSmallestValues, FieldsOfAWaveListAreRejectedOrFinite) {
                                       {"choppiness", &Wave::choppiness}};
     const pelagic_ocean_options options = all_options();
     walk(Wave(), fields, "waves", [&](const Wave& wave, const std::string& what, const char* name) {
-        auto waves = sized<pelagic_waves>();
+        auto waves = pelagic_waves_make();
         waves.count = 1;
         waves.amplitude_m = &wave.amplitude_m;
         waves.wavelength_m = &wave.wavelength_m;
@@ -499,7 +492,7 @@ TEST(CInterfaceSmallestValues, FieldsOfAWaveListAreRejectedOrFinite) {
 
 TEST(CInterfaceSmallestValues, SlopeBoundOfACallbackIsRejectedOrFinite) {
     constexpr Named<pelagic_input_callback> fields[] = {{"largest_slope", &pelagic_input_callback::largest_slope}};
-    auto usual = sized<pelagic_input_callback>();
+    auto usual = pelagic_input_callback_make();
     usual.add = [](void*, const pelagic_input_rows* rows) { rows->height[0] = 1e-30f; };
     const pelagic_ocean_options options = all_options();
     walk(usual, fields, "callback",
@@ -524,7 +517,7 @@ TEST(CInterfaceSmallestValues, TimesAndPositionsAreRejectedOrFinite) {
         EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
         EXPECT_EQ(first_non_finite(ocean.get(), options), "");
         for (std::size_t number = 0; number < 7; ++number) {
-            auto ray = sized<pelagic_ray>();
+            auto ray = pelagic_ray_make();
             ray.origin_m[1] = 20;
             ray.direction[1] = -1;
             ray.reach_m = 100;
@@ -548,7 +541,7 @@ std::string first_non_finite(const pelagic_hull* hull, const pelagic_hull_state&
     options.foam = 0;
     options.dynamic_waves = &dynamic_waves;
     const COcean ocean = ocean_of(small_sea(), options);
-    auto with_wakes = sized<pelagic_bodies_options>();
+    auto with_wakes = pelagic_bodies_options_make();
     with_wakes.wakes = 1;
     with_wakes.executor = options.executor;
     pelagic_bodies* bodies = nullptr;
@@ -589,12 +582,12 @@ TEST(CInterfaceSmallestValues, FieldsOfHullsAreRejectedOrFinite) {
         {"skeg_m2", &pelagic_hull_options::skeg_m2},
         {"skeg_x_m", &pelagic_hull_options::skeg_x_m},
         {"skeg_y_m", &pelagic_hull_options::skeg_y_m}};
-    auto usual = sized<pelagic_hull_options>();
-    if (pelagic_hull_defaults(&usual) != PELAGIC_OK) GTEST_SKIP() << pelagic_last_error();
+    auto usual = pelagic_hull_options_make();
+    if (!has_hulls()) GTEST_SKIP() << pelagic_last_error();
     usual.mass_kg = 80;
     const double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-    auto mesh = sized<pelagic_hull_mesh>();
+    auto mesh = pelagic_hull_mesh_make();
     mesh.vertex_count = mesh.triangle_count = 4;
     mesh.vertices_m = vertices;
     mesh.triangles = triangles;

@@ -11,17 +11,9 @@
 
 namespace pelagic {
 
-template <class T>
-T sized() {
-    T value{};
-    value.struct_size = sizeof(T);
-    return value;
-}
-
 /// A sea with cascades = 1.
 inline pelagic_sea small_sea(std::int32_t resolution = 16) {
-    auto sea = sized<pelagic_sea>();
-    EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    auto sea = pelagic_sea_make();
     sea.resolution = resolution;
     sea.patch_size_m = 250;
     return sea;
@@ -29,11 +21,17 @@ inline pelagic_sea small_sea(std::int32_t resolution = 16) {
 
 /// A sea with a stack of cascades.
 inline pelagic_sea stack_sea(std::int32_t cascades, std::int32_t resolution = 32) {
-    auto sea = sized<pelagic_sea>();
-    EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    auto sea = pelagic_sea_make();
     sea.cascades = cascades;
     sea.resolution = resolution;
     return sea;
+}
+
+/// Returns whether the library was built with hulls.
+inline bool has_hulls() {
+    pelagic_hull* hull = nullptr;
+    pelagic_hull_create(nullptr, nullptr, &hull);
+    return std::string(pelagic_last_error()).find("hulls are unavailable") == std::string::npos;
 }
 
 /// Returns the ocean's dynamic waves, null if it has none.
@@ -49,7 +47,7 @@ struct DestroyExecutor {
 using COceanExecutor = std::unique_ptr<pelagic_executor, DestroyExecutor>;
 
 inline COceanExecutor executor_of(std::int32_t kind, std::int32_t threads = 0) {
-    auto options = sized<pelagic_executor_options>();
+    auto options = pelagic_executor_options_make();
     options.kind = kind;
     options.threads = threads;
     pelagic_executor* executor = nullptr;
@@ -70,7 +68,7 @@ inline COcean ocean_of(const pelagic_sea& sea, const pelagic_ocean_options& opti
 
 /// An ocean with queries and velocities.
 inline COcean ocean_of(const pelagic_sea& sea, const pelagic_executor* executor) {
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.queries = options.velocities = 1;
     options.executor = executor;
     return ocean_of(sea, options);
@@ -120,7 +118,7 @@ struct FrameArrays {
           moments(slopes.size()) {}
 
     pelagic_frame_buffers view() {
-        auto buffers = sized<pelagic_frame_buffers>();
+        auto buffers = pelagic_frame_buffers_make();
         buffers.plane_count = planes[0].size();
         buffers.dx = planes[0].data(), buffers.height = planes[1].data(), buffers.dz = planes[2].data();
         buffers.velocity_x = planes[3].data();

@@ -20,8 +20,7 @@ class CInterfaceShore : public testing::Test {
         ours.swash_m = 0.1;
     }
     pelagic_shore_options shore() const {
-        auto options = sized<pelagic_shore_options>();
-        EXPECT_EQ(pelagic_shore_defaults(&options), PELAGIC_OK);
+        auto options = pelagic_shore_options_make();
         options.columns = ours.columns;
         options.rows = ours.rows;
         options.heights_m = ours.heights_m.data();
@@ -33,7 +32,7 @@ class CInterfaceShore : public testing::Test {
         return options;
     }
     pelagic_ocean_options with(const pelagic_shore_options* wanted) const {
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.executor = serial.get();
         options.queries = 1;
         options.shore = wanted;
@@ -83,8 +82,7 @@ TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
 }
 
 TEST_F(CInterfaceShore, ASwashOf0IsDerived) {
-    auto options = sized<pelagic_shore_options>();
-    ASSERT_EQ(pelagic_shore_defaults(&options), PELAGIC_OK);
+    auto options = pelagic_shore_options_make();
     EXPECT_EQ(options.swash_m, 0);
     options = shore();
     options.swash_m = 0;

@@ -70,7 +70,7 @@ void expect_read_in_every_size(const T& value, Call call) {
 TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     complete_one();
     expect_read_in_every_size(small_sea(), [](pelagic_sea* sea) { return pelagic_sea_check(sea); });
-    auto serial = sized<pelagic_executor_options>();
+    auto serial = pelagic_executor_options_make();
     serial.kind = PELAGIC_EXECUTOR_SERIAL;
     expect_read_in_every_size(serial, [](pelagic_executor_options* options) {
         pelagic_executor* executor = nullptr;
@@ -87,25 +87,23 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     });
     expect_read_in_every_size(pelagic_frame_buffers{},
                               [&](pelagic_frame_buffers* to) { return pelagic_ocean_copy(ocean.get(), to); });
-    const auto points = sized<pelagic_points>();
-    const auto samples = sized<pelagic_samples>();
+    const auto points = pelagic_points_make();
+    const auto samples = pelagic_samples_make();
     expect_read_in_every_size(
         points, [&](pelagic_points* asked) { return pelagic_ocean_query(ocean.get(), asked, &samples); });
     expect_read_in_every_size(
         samples, [&](pelagic_samples* wanted) { return pelagic_ocean_query(ocean.get(), &points, wanted); });
-    auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
-    ASSERT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
+    auto dynamic_waves = pelagic_dynamic_waves_options_make();
     expect_read_in_every_size(dynamic_waves, [](pelagic_dynamic_waves_options* wanted) {
         const pelagic_sea sea = small_sea();
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.dynamic_waves = wanted;
         pelagic_ocean* made = nullptr;
         const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
         pelagic_ocean_destroy(made);
         return status;
     });
-    auto shore = sized<pelagic_shore_options>();
-    ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
+    auto shore = pelagic_shore_options_make();
     const float floor[] = {-9, 1, -8, 2};
     shore.columns = shore.rows = 2;
     shore.metres_per_sample = 100;
@@ -113,30 +111,28 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     shore.heights_m = floor;
     expect_read_in_every_size(shore, [](pelagic_shore_options* wanted) {
         const pelagic_sea sea = stack_sea(2, 32);
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.shore = wanted;
         pelagic_ocean* made = nullptr;
         const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
         pelagic_ocean_destroy(made);
         return status;
     });
-    auto spray = sized<pelagic_spray_options>();
-    ASSERT_EQ(pelagic_spray_defaults(&spray), PELAGIC_OK);
+    auto spray = pelagic_spray_options_make();
     expect_read_in_every_size(spray, [](pelagic_spray_options* wanted) {
         const pelagic_sea sea = small_sea();
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.spray = wanted;
         pelagic_ocean* made = nullptr;
         const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
         pelagic_ocean_destroy(made);
         return status;
     });
-    auto answering = sized<pelagic_ocean_options>();
+    auto answering = pelagic_ocean_options_make();
     answering.dynamic_waves = &dynamic_waves;
     answering.spray = &spray;
     const COcean water = ocean_of(small_sea(), answering);
-    auto disturbance = sized<pelagic_disturbance>();
-    ASSERT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
+    auto disturbance = pelagic_disturbance_make();
     expect_read_in_every_size(disturbance, [&](pelagic_disturbance* push) {
         return pelagic_dynamic_waves_add_impulse(waves_of(water.get()), push);
     });
@@ -146,38 +142,36 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
         pelagic_input_destroy(made);
         return status;
     };
-    expect_read_in_every_size(sized<pelagic_waves>(), [&](pelagic_waves* waves) {
+    expect_read_in_every_size(pelagic_waves_make(), [&](pelagic_waves* waves) {
         return status_of_input(pelagic_input_create_waves, waves);
     });
-    auto ripple = sized<pelagic_ripple>();
+    auto ripple = pelagic_ripple_make();
     ripple.wavelength_m = 1;
     expect_read_in_every_size(
         ripple, [&](pelagic_ripple* rings) { return status_of_input(pelagic_input_create_ripple, rings); });
-    auto callback = sized<pelagic_input_callback>();
+    auto callback = pelagic_input_callback_make();
     callback.add = [](void*, const pelagic_input_rows*) {};
     expect_read_in_every_size(callback, [&](pelagic_input_callback* wanted) {
         return status_of_input(pelagic_input_create_callback, wanted);
     });
-    auto rain = sized<pelagic_rain>();
-    ASSERT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
+    auto rain = pelagic_rain_make();
     rain.drops_per_m2_s = 1;
     expect_read_in_every_size(
         rain, [&](pelagic_rain* falls) { return pelagic_dynamic_waves_set_rain(waves_of(water.get()), falls); });
-    auto emitter = sized<pelagic_spray_emitter>();
-    ASSERT_EQ(pelagic_spray_emitter_defaults(&emitter), PELAGIC_OK);
+    auto emitter = pelagic_spray_emitter_make();
     expect_read_in_every_size(
         emitter, [&](pelagic_spray_emitter* bow) { return pelagic_ocean_emit(water.get(), bow, 1); });
     complete(water, 0);
-    expect_read_in_every_size(sized<pelagic_droplets>(), [&](pelagic_droplets* arrays) {
+    expect_read_in_every_size(pelagic_droplets_make(), [&](pelagic_droplets* arrays) {
         std::size_t count = 0;
         arrays->room = 8192;
         return pelagic_ocean_droplets(water.get(), arrays, &count);
     });
-    auto water_frame = sized<pelagic_water_frame>();
+    auto water_frame = pelagic_water_frame_make();
     water_frame.sea_level_m = 2;
     expect_read_in_every_size(
         water_frame, [&](pelagic_water_frame* wanted) { return pelagic_ocean_set_water_frame(ocean.get(), wanted); });
-    auto ray = sized<pelagic_ray>();
+    auto ray = pelagic_ray_make();
     ray.direction[1] = -1;
     expect_read_in_every_size(ray, [&](pelagic_ray* asked) {
         pelagic_hit hit{};
@@ -206,14 +200,7 @@ void expect_written_in_every_size(Call call) {
 }
 
 TEST_F(StructSizes, WrittenInputStructsMayBeOlderOrNewer) {
-    expect_written_in_every_size<pelagic_sea>([](pelagic_sea* sea) { return pelagic_sea_defaults(sea); });
     expect_written_in_every_size<pelagic_sea>([](pelagic_sea* sea) { return pelagic_sea_preset("storm", sea); });
-    expect_written_in_every_size<pelagic_dynamic_waves_options>(pelagic_dynamic_waves_defaults);
-    expect_written_in_every_size<pelagic_disturbance>(pelagic_disturbance_defaults);
-    expect_written_in_every_size<pelagic_rain>(pelagic_rain_defaults);
-    expect_written_in_every_size<pelagic_spray_options>(pelagic_spray_defaults);
-    expect_written_in_every_size<pelagic_spray_emitter>(pelagic_spray_emitter_defaults);
-    expect_written_in_every_size<pelagic_shore_options>(pelagic_shore_defaults);
 }
 
 /// Checks that `call` writes all fields of a struct, and no memory after it. The last four bytes may
@@ -244,9 +231,8 @@ TEST_F(StructSizes, OutputStructsAreWrittenWholly) {
         if (status != PELAGIC_OK) pelagic_ocean_complete(serial.get(), &other);
         return status;
     });
-    auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
-    ASSERT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
-    auto options = sized<pelagic_ocean_options>();
+    auto dynamic_waves = pelagic_dynamic_waves_options_make();
+    auto options = pelagic_ocean_options_make();
     options.dynamic_waves = &dynamic_waves;
     const COcean water = ocean_of(small_sea(), options);
     pelagic_frame first{};
@@ -255,14 +241,13 @@ TEST_F(StructSizes, OutputStructsAreWrittenWholly) {
     expect_all_written<pelagic_dynamic_waves_view>([&](pelagic_dynamic_waves_view* surface) {
         return pelagic_dynamic_waves_get_view(waves_of(water.get()), surface);
     });
-    auto shore = sized<pelagic_shore_options>();
-    ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
+    auto shore = pelagic_shore_options_make();
     const float floor[] = {-9, 1, -8, 2};
     shore.columns = shore.rows = 2;
     shore.metres_per_sample = 100;
     shore.resolution = 64;
     shore.heights_m = floor;
-    auto ashore = sized<pelagic_ocean_options>();
+    auto ashore = pelagic_ocean_options_make();
     ashore.shore = &shore;
     const COcean coast = ocean_of(stack_sea(2, 32), ashore);
     ASSERT_EQ(pelagic_ocean_schedule(coast.get(), 1), PELAGIC_OK);
@@ -272,19 +257,19 @@ TEST_F(StructSizes, OutputStructsAreWrittenWholly) {
     complete_one();
     expect_all_written<pelagic_cascade>(
         [&](pelagic_cascade* cascade) { return pelagic_ocean_cascade(ocean.get(), 0, cascade); });
-    auto ray = sized<pelagic_ray>();
+    auto ray = pelagic_ray_make();
     ray.origin_m[1] = 50, ray.direction[1] = -1, ray.reach_m = 100;
     expect_all_written<pelagic_hit>(
         [&](pelagic_hit* hit) { return pelagic_ocean_first_hit(ocean.get(), &ray, hit); });
 }
 
 TEST_F(StructSizes, StructsOfHullsMayBeOlderOrNewer) {
-    auto options = sized<pelagic_hull_options>();
-    if (pelagic_hull_defaults(&options) != PELAGIC_OK) GTEST_SKIP() << pelagic_last_error();
+    auto options = pelagic_hull_options_make();
+    if (!has_hulls()) GTEST_SKIP() << pelagic_last_error();
     options.mass_kg = 10;
     const double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-    auto mesh = sized<pelagic_hull_mesh>();
+    auto mesh = pelagic_hull_mesh_make();
     mesh.vertex_count = mesh.triangle_count = 4;
     mesh.vertices_m = vertices;
     mesh.triangles = triangles;
@@ -296,14 +281,13 @@ TEST_F(StructSizes, StructsOfHullsMayBeOlderOrNewer) {
     };
     expect_read_in_every_size(mesh, [&](pelagic_hull_mesh* of) { return status_of_hull(of, &options); });
     expect_read_in_every_size(options, [&](pelagic_hull_options* with) { return status_of_hull(&mesh, with); });
-    expect_written_in_every_size<pelagic_hull_options>(pelagic_hull_defaults);
 
     pelagic_hull* hull = nullptr;
     pelagic_bodies* bodies = nullptr;
     std::uint32_t number = 0;
     ASSERT_EQ(pelagic_hull_create(&mesh, &options, &hull), PELAGIC_OK) << pelagic_last_error();
     ASSERT_EQ(pelagic_bodies_create(ocean.get(), nullptr, &bodies), PELAGIC_OK) << pelagic_last_error();
-    expect_read_in_every_size(sized<pelagic_bodies_options>(), [&](pelagic_bodies_options* with) {
+    expect_read_in_every_size(pelagic_bodies_options_make(), [&](pelagic_bodies_options* with) {
         pelagic_bodies* made = nullptr;
         const pelagic_status status = pelagic_bodies_create(ocean.get(), with, &made);
         pelagic_bodies_destroy(made);
@@ -314,7 +298,7 @@ TEST_F(StructSizes, StructsOfHullsMayBeOlderOrNewer) {
     ASSERT_EQ(pelagic_bodies_add(bodies, hull, &state, &number), PELAGIC_OK);
     complete_one();
     ASSERT_EQ(pelagic_bodies_step(bodies, 0.01, nullptr), PELAGIC_OK) << pelagic_last_error();
-    expect_read_in_every_size(sized<pelagic_hull_inputs>(), [&](pelagic_hull_inputs* inputs) {
+    expect_read_in_every_size(pelagic_hull_inputs_make(), [&](pelagic_hull_inputs* inputs) {
         return pelagic_bodies_set_inputs(bodies, number, inputs);
     });
     expect_all_written<pelagic_hull_state>(

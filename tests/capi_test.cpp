@@ -51,14 +51,14 @@ TEST(CInterface, TransitionsAreGivenTogetherOrOneByOne) {
     pelagic_sea after = before, other = before;
     after.wind_speed_mps = 5;
     other.seed = 99;
-    auto change = sized<pelagic_change>();
+    auto change = pelagic_change_make();
     change.sea = &after;
     change.from_s = 1;
     change.over_s = 10;
     pelagic_change changes[2] = {change, change};
     changes[1].sea = &before;
     changes[1].from_s = 20;
-    auto forecast = sized<pelagic_forecast>();
+    auto forecast = pelagic_forecast_make();
     forecast.first = &before;
     forecast.changes = changes;
     forecast.change_count = 2;
@@ -99,8 +99,7 @@ std::uint64_t golden_hash(const std::string& wanted) {
 }
 
 TEST(CInterface, FramesHaveTheGoldenHash) {
-    auto sea = sized<pelagic_sea>();
-    ASSERT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    auto sea = pelagic_sea_make();
     pelagic_ocean* ocean = nullptr;
     ASSERT_EQ(pelagic_ocean_create(&sea, nullptr, &ocean), PELAGIC_OK);
     complete(ocean, 12.34);
@@ -109,7 +108,7 @@ TEST(CInterface, FramesHaveTheGoldenHash) {
 }
 
 TEST(CInterface, AnUnknownPresetIsNamed) {
-    auto sea = sized<pelagic_sea>();
+    auto sea = pelagic_sea_make();
     expect_invalid(pelagic_sea_preset("choppy", &sea),
                    "preset is choppy, expected one of pond, calm, lake, analytic-calm, analytic-moderate, swell, "
                    "moderate, rough, "
@@ -161,20 +160,19 @@ TEST(CInterface, NullPointersAreNamed) {
     auto sea = small_sea();
     pelagic_frame frame{};
     pelagic_ocean_info info{};
-    auto options = sized<pelagic_executor_options>();
-    auto points = sized<pelagic_points>();
-    auto samples = sized<pelagic_samples>();
-    auto ray = sized<pelagic_ray>();
+    auto options = pelagic_executor_options_make();
+    auto points = pelagic_points_make();
+    auto samples = pelagic_samples_make();
+    auto ray = pelagic_ray_make();
     pelagic_hit hit{};
-    auto buffers = sized<pelagic_frame_buffers>();
+    auto buffers = pelagic_frame_buffers_make();
     pelagic_cascade cascade{};
-    const auto water = sized<pelagic_water_frame>();
+    const auto water = pelagic_water_frame_make();
     pelagic_executor* executor = nullptr;
     pelagic_ocean* made = nullptr;
     std::int32_t flag = 0;
     std::uint64_t hash = 0;
 
-    expect_invalid(pelagic_sea_defaults(nullptr), "sea is NULL");
     expect_invalid(pelagic_sea_preset(nullptr, &sea), "name is NULL");
     expect_invalid(pelagic_sea_preset("calm", nullptr), "sea is NULL");
     expect_invalid(pelagic_sea_check(nullptr), "sea is NULL");
@@ -237,16 +235,15 @@ TEST(CInterface, WrongStructSizesAreNamed) {
         auto buffers = with_size(pelagic_frame_buffers{});
         auto points = with_size(pelagic_points{});
         auto samples = with_size(pelagic_samples{});
-        auto good_points = sized<pelagic_points>();
-        auto good_samples = sized<pelagic_samples>();
+        auto good_points = pelagic_points_make();
+        auto good_samples = pelagic_samples_make();
         auto ray = with_size(pelagic_ray{});
         pelagic_hit hit{};
         pelagic_executor* executor = nullptr;
         pelagic_ocean* made = nullptr;
 
-        expect_invalid(pelagic_sea_defaults(&sea), "sea.struct_size is " + std::to_string(size) + ", expected ");
+        expect_invalid(pelagic_sea_check(&sea), "sea.struct_size is " + std::to_string(size) + ", expected ");
         expect_invalid(pelagic_sea_preset("calm", &sea), "sea.struct_size");
-        expect_invalid(pelagic_sea_check(&sea), "sea.struct_size");
         expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.struct_size");
         expect_invalid(pelagic_ocean_create(&sea, nullptr, &made), "sea.struct_size");
         expect_invalid(pelagic_ocean_create(&good_sea, &ocean_options, &made), "options.struct_size");
@@ -260,7 +257,7 @@ TEST(CInterface, WrongStructSizesAreNamed) {
 
 TEST(CInterface, AWrongNumberOfCascadesIsNamed) {
     const COcean ocean = make_ocean();
-    auto buffers = sized<pelagic_frame_buffers>();
+    auto buffers = pelagic_frame_buffers_make();
     buffers.cascade_count = 2;
     expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr),
                    "buffers.cascade_count is 2, expected 1");
@@ -268,7 +265,7 @@ TEST(CInterface, AWrongNumberOfCascadesIsNamed) {
 
 TEST(CInterface, OptionsOutOfRangeAreNamed) {
     const auto create_with = [](const std::function<void(pelagic_executor_options&)>& change) {
-        auto options = sized<pelagic_executor_options>();
+        auto options = pelagic_executor_options_make();
         change(options);
         pelagic_executor* executor = nullptr;
         const pelagic_status status = pelagic_executor_create(&options, &executor);
@@ -290,7 +287,7 @@ TEST(CInterface, OptionsOutOfRangeAreNamed) {
 
     const pelagic_sea sea = small_sea();
     const auto ocean_with = [&](const std::function<void(pelagic_ocean_options&)>& change) {
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         change(options);
         pelagic_ocean* ocean = nullptr;
         const pelagic_status status = pelagic_ocean_create(&sea, &options, &ocean);
@@ -305,9 +302,9 @@ TEST(CInterface, OptionsOutOfRangeAreNamed) {
 TEST(CInterface, CallsInTheWrongOrderFailAndChangeNothing) {
     const COcean ocean = make_ocean();
     pelagic_frame frame{};
-    auto buffers = sized<pelagic_frame_buffers>();
-    auto points = sized<pelagic_points>();
-    auto samples = sized<pelagic_samples>();
+    auto buffers = pelagic_frame_buffers_make();
+    auto points = pelagic_points_make();
+    auto samples = pelagic_samples_make();
     const pelagic_sea sea = small_sea();
     std::uint64_t hash = 0;
     expect_wrong_order(pelagic_ocean_complete(ocean.get(), &frame), "no frame is in flight");
@@ -335,7 +332,7 @@ TEST(CInterface, CallsInTheWrongOrderFailAndChangeNothing) {
 
 TEST(CInterface, InvalidTimesAreNamed) {
     const COcean ocean = make_ocean();
-    auto buffers = sized<pelagic_frame_buffers>();
+    auto buffers = pelagic_frame_buffers_make();
     expect_invalid(pelagic_ocean_schedule(ocean.get(), nan), "time_s is nan, expected a finite number");
     expect_invalid(pelagic_ocean_schedule(ocean.get(), -infinity), "time_s is -inf");
     expect_invalid(pelagic_ocean_frame_at(ocean.get(), infinity, &buffers, nullptr), "time_s is inf");
@@ -345,8 +342,8 @@ TEST(CInterface, InvalidTimesAreNamed) {
 TEST(CInterface, HugeCountsAndInvalidPositionsDoNotCrash) {
     const COcean ocean = make_ocean();
     complete(ocean, 1);
-    auto points = sized<pelagic_points>();
-    auto samples = sized<pelagic_samples>();
+    auto points = pelagic_points_make();
+    auto samples = pelagic_samples_make();
     const double x[4] = {nan, infinity, 1e300, 1}, z[4] = {0, -infinity, 1, -1e15};
     float height[4], error[4];
     std::uint8_t converged[4];
@@ -376,7 +373,7 @@ TEST(CInterface, HugeCountsAndInvalidPositionsDoNotCrash) {
         expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "dx has ");
     }
 
-    auto ray = sized<pelagic_ray>();
+    auto ray = pelagic_ray_make();
     pelagic_hit hit{};
     expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.direction's length 0 is out of range");
     ray.direction[0] = nan;
@@ -396,8 +393,8 @@ TEST(CInterface, MissingOceanOptionsAreNamed) {
     ASSERT_EQ(pelagic_ocean_create(&sea, nullptr, &plain), PELAGIC_OK);
     const COcean ocean(plain);
     EXPECT_EQ(complete(plain, 0).velocity_x.data, nullptr);
-    auto points = sized<pelagic_points>();
-    auto samples = sized<pelagic_samples>();
+    auto points = pelagic_points_make();
+    auto samples = pelagic_samples_make();
     expect_invalid(pelagic_ocean_query(plain, &points, &samples),
                    "it was created without pelagic_ocean_options.queries");
     FrameArrays arrays(16);
@@ -416,7 +413,7 @@ TEST(CInterface, EachThreadHasItsOwnMessage) {
 TEST(CInterface, MessagesHaveTheGivenValue) {
     const pelagic_sea sea = small_sea(16);
     for (const double wanted : {1e-300, -2.5e-7, 1000.0000000000001}) {
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.query_tolerance_m = wanted;
         pelagic_ocean* ocean = nullptr;
         expect_invalid(pelagic_ocean_create(&sea, &options, &ocean), ", expected 0 or [1e-6, 1000]");
@@ -508,7 +505,7 @@ TEST(CInterface, ACopyIsThatOfTheFrameCompletedLast) {
     EXPECT_EQ(arrays, later) << "also while the next frame is computed";
 
     FrameArrays one(64);
-    auto height_alone = sized<pelagic_frame_buffers>();
+    auto height_alone = pelagic_frame_buffers_make();
     height_alone.plane_count = 64 * 64;
     height_alone.height = one.planes[1].data();
     EXPECT_EQ(pelagic_ocean_copy(ocean.get(), &height_alone), PELAGIC_OK);
@@ -520,8 +517,8 @@ TEST(CInterface, ACopyIsThatOfTheFrameCompletedLast) {
 // Equal to a C++ application that queries the frame of frame_at().
 TEST(CInterface, AFrameOfFrameAtCanBeQueriedBeforeTheFirstComplete) {
     const COcean ocean = make_ocean(64);
-    auto points = sized<pelagic_points>();
-    auto samples = sized<pelagic_samples>();
+    auto points = pelagic_points_make();
+    auto samples = pelagic_samples_make();
     const double place = 0;
     float height = 0;
     points.count = 1, points.x = points.z = &place;
@@ -567,7 +564,7 @@ std::uint64_t hash_of_frames(pelagic_ocean* ocean, int frames) {
 
 TEST(CInterface, ACpuMaskIsAccepted) {
     if (!threads_have_cpu_masks()) GTEST_SKIP() << "this system has no CPU masks";
-    auto options = sized<pelagic_executor_options>();
+    auto options = pelagic_executor_options_make();
     options.kind = PELAGIC_EXECUTOR_THREADS;
     options.cpu_mask = ~std::uint64_t{0};
     pelagic_executor* executor = nullptr;

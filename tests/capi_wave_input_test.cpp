@@ -29,7 +29,7 @@ pelagic_sea flat_sea(std::int32_t resolution = 64) {
 struct OneWave {
     double amplitude = 1.5, wavelength = flat_side_m / std::sqrt(34.0), direction = std::atan2(3.0, 5.0), phase = 0.5;
     pelagic_waves as_waves() const {
-        auto waves = sized<pelagic_waves>();
+        auto waves = pelagic_waves_make();
         waves.count = 1;
         waves.amplitude_m = &amplitude, waves.wavelength_m = &wavelength;
         waves.direction_rad = &direction, waves.phase_rad = &phase;
@@ -50,7 +50,7 @@ CInput waves_input(const pelagic_waves& waves) {
 }
 
 CInput ripple_input(double amplitude_m) {
-    auto ripple = sized<pelagic_ripple>();
+    auto ripple = pelagic_ripple_make();
     ripple.wavelength_m = 20;
     ripple.amplitude_m = amplitude_m;
     pelagic_input* made = nullptr;
@@ -59,7 +59,7 @@ CInput ripple_input(double amplitude_m) {
 }
 
 CInput callback_input(pelagic_add_rows add, void* user = nullptr) {
-    auto callback = sized<pelagic_input_callback>();
+    auto callback = pelagic_input_callback_make();
     callback.add = add;
     callback.user = user;
     callback.largest_slope = 1;
@@ -72,7 +72,7 @@ CInput callback_input(pelagic_add_rows add, void* user = nullptr) {
 COcean ocean_with(const pelagic_sea& sea, std::vector<CInput> inputs) {
     std::vector<pelagic_input*> pointers;
     for (const CInput& input : inputs) pointers.push_back(input.get());
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.velocities = 1;
     options.input_count = pointers.size();
     options.inputs = pointers.data();
@@ -108,7 +108,7 @@ TEST(CInterfaceInputs, InputsCanBeChangedBetweenFrames) {
     const OneWave wave;
     CInput waves = waves_input(wave.as_waves()), rings = ripple_input(0.5);
     pelagic_input* const all[] = {waves.get(), rings.get()};
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.velocities = 1;
     options.input_count = 2;
     options.inputs = all;
@@ -116,9 +116,9 @@ TEST(CInterfaceInputs, InputsCanBeChangedBetweenFrames) {
     std::vector<CInput> none;
     const COcean pure = ocean_with(flat_sea(), std::move(none));
     EXPECT_NE(hash_at(ocean, 3), hash_at(pure, 3));
-    const auto nothing = sized<pelagic_waves>();
+    const auto nothing = pelagic_waves_make();
     ASSERT_EQ(pelagic_input_set_waves(waves.get(), &nothing), PELAGIC_OK) << pelagic_last_error();
-    auto still = sized<pelagic_ripple>();
+    auto still = pelagic_ripple_make();
     still.wavelength_m = 1;
     ASSERT_EQ(pelagic_input_set_ripple(rings.get(), &still), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(hash_at(ocean, 3), hash_at(pure, 3));
@@ -145,10 +145,10 @@ TEST(CInterfaceInputs, InvalidValuesAreRejectedWithOneLine) {
     waves.count = 1, waves.amplitude_m = nullptr;
     expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
                     "waves.amplitude_m is NULL, expected a pointer");
-    const auto ripple = sized<pelagic_ripple>();
+    const auto ripple = pelagic_ripple_make();
     expect_rejected(pelagic_input_create_ripple(&ripple, &made), PELAGIC_INVALID_ARGUMENT,
                     "wavelength_m 0 is out of range [0.01, 1000]");
-    auto callback = sized<pelagic_input_callback>();
+    auto callback = pelagic_input_callback_make();
     expect_rejected(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
                     "callback.add is NULL, expected a pointer");
     callback.add = [](void*, const pelagic_input_rows*) {};
@@ -157,7 +157,7 @@ TEST(CInterfaceInputs, InvalidValuesAreRejectedWithOneLine) {
                     "callback.largest_slope -1 is out of range [0, 100]");
     EXPECT_EQ(made, nullptr);
     const pelagic_sea sea = flat_sea(16);
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.input_count = 1;
     pelagic_ocean* ocean = nullptr;
     expect_rejected(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,

@@ -30,17 +30,10 @@ void must_be_rejected(pelagic_status status) {
     if (status != PELAGIC_WRONG_ORDER) fail("a misuse was not refused");
 }
 
-template <class T>
-T sized() {
-    T value{};
-    value.struct_size = sizeof(T);
-    return value;
-}
-
 constexpr int seas = 3;
 
 pelagic_sea sea_number(int number, std::int32_t resolution) {
-    auto sea = sized<pelagic_sea>();
+    auto sea = pelagic_sea_make();
     must(pelagic_sea_preset(number == 0 ? "calm" : number == 1 ? "rough" : "storm", &sea));
     sea.resolution = resolution;
     sea.patch_size_m = 250;
@@ -49,7 +42,7 @@ pelagic_sea sea_number(int number, std::int32_t resolution) {
 }
 
 pelagic_executor* make_executor(std::int32_t kind, std::int32_t threads) {
-    auto options = sized<pelagic_executor_options>();
+    auto options = pelagic_executor_options_make();
     options.kind = kind;
     options.threads = threads;
     pelagic_executor* executor = nullptr;
@@ -58,7 +51,7 @@ pelagic_executor* make_executor(std::int32_t kind, std::int32_t threads) {
 }
 
 pelagic_ocean* make_ocean(int sea, std::int32_t resolution, const pelagic_executor* executor) {
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.queries = 1;
     options.executor = executor;
     const pelagic_sea state = sea_number(sea, resolution);
@@ -77,9 +70,9 @@ struct Samples {
 Samples samples_of(const pelagic_ocean* ocean) {
     const double x[5] = {0, 11, -300, 1e6, 77.7}, z[5] = {0, 5, 40, -1e6, 0.01};
     Samples results;
-    auto points = sized<pelagic_points>();
+    auto points = pelagic_points_make();
     points.count = 5, points.x = x, points.z = z;
-    auto samples = sized<pelagic_samples>();
+    auto samples = pelagic_samples_make();
     samples.height_m = results.height.data();
     samples.normal_y = results.normal_y.data();
     must(pelagic_ocean_query(ocean, &points, &samples));
@@ -185,7 +178,7 @@ class Subject {
         const double time_s = any_time();
         const std::size_t texels = static_cast<std::size_t>(resolution_) * static_cast<std::size_t>(resolution_);
         halves_.resize(4 * texels);
-        auto buffers = sized<pelagic_frame_buffers>();
+        auto buffers = pelagic_frame_buffers_make();
         buffers.rgba16f_count = halves_.size();
         buffers.displacement_rgba16f = halves_.data();
         must(pelagic_ocean_frame_at(ocean_, time_s, &buffers, nullptr));

@@ -37,8 +37,8 @@ static pelagic_status make_hull(const boat* of, pelagic_hull** hull) {
     double vertices[3 * VERTICES], *at = vertices;
     uint32_t triangles[3 * TRIANGLES], *to = triangles;
     const uint32_t bow = RING * SECTIONS;
-    pelagic_hull_mesh mesh = {.struct_size = sizeof mesh};
-    pelagic_hull_options options = {.struct_size = sizeof options};
+    pelagic_hull_mesh mesh = pelagic_hull_mesh_make();
+    pelagic_hull_options options = pelagic_hull_options_make();
     uint32_t i, j;
     for (i = 0; i <= SECTIONS; ++i)
         for (j = 0; j < RING; ++j) {
@@ -61,7 +61,6 @@ static pelagic_status make_hull(const boat* of, pelagic_hull** hull) {
     mesh.vertices_m = vertices;
     mesh.triangle_count = TRIANGLES;
     mesh.triangles = triangles;
-    pelagic_hull_defaults(&options);
     options.mass_kg = of->mass_kg;
     options.skeg_m2 = of->length_m * of->length_m / 100;
     options.skeg_x_m = -of->length_m * 2 / 5;
@@ -120,10 +119,10 @@ static int sail(pelagic_ocean* ocean, pelagic_bodies* bodies, int ticks) {
 
 int main(int argc, char** argv) {
     const double seconds = argc < 2 ? 60 : atof(argv[1]);
-    pelagic_sea storm = {.struct_size = sizeof storm};
-    pelagic_dynamic_waves_options waves = {.struct_size = sizeof waves};
-    pelagic_ocean_options options = {.struct_size = sizeof options, .queries = 1, .velocities = 1};
-    const pelagic_bodies_options with_wakes = {.struct_size = sizeof with_wakes, .wakes = 1};
+    pelagic_sea storm = pelagic_sea_make();
+    pelagic_dynamic_waves_options waves = pelagic_dynamic_waves_options_make();
+    pelagic_ocean_options options = pelagic_ocean_options_make();
+    pelagic_bodies_options with_wakes = pelagic_bodies_options_make();
     pelagic_ocean* ocean = NULL;
     pelagic_bodies* bodies = NULL;
     int result;
@@ -131,11 +130,13 @@ int main(int argc, char** argv) {
         fprintf(stderr, "boat_c: SECONDS is %s, expected a number from 1 to 3600\n", argv[1]);
         return 2;
     }
-    if (failed(pelagic_sea_preset("storm", &storm)) || failed(pelagic_dynamic_waves_defaults(&waves))) return 1;
+    if (failed(pelagic_sea_preset("storm", &storm))) return 1;
     waves.resolution = 512; /* 12 texels along the dinghy, and room for the ship */
     waves.side_m = 160;
     waves.border_m = 20;
+    options.queries = options.velocities = 1;
     options.dynamic_waves = &waves;
+    with_wakes.wakes = 1;
     result = failed(pelagic_ocean_create(&storm, &options, &ocean)) ||
              failed(pelagic_bodies_create(ocean, &with_wakes, &bodies)) ||
              sail(ocean, bodies, (int)lround(seconds / tick_s));

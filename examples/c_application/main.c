@@ -24,12 +24,16 @@ static int draw(const pelagic_ocean* ocean, const pelagic_frame* frame) {
 static int run(pelagic_ocean* ocean) {
     const double x[3] = {10, 20, 30}, z[3] = {5, 5, 5};
     float heights[3];
-    const pelagic_points buoys = {.struct_size = sizeof buoys, .count = 3, .x = x, .z = z};
-    const pelagic_samples wanted = {.struct_size = sizeof wanted, .height_m = heights};
+    pelagic_points buoys = pelagic_points_make();
+    pelagic_samples wanted = pelagic_samples_make();
     pelagic_frame frame;
     uint64_t hash;
     int n;
 
+    buoys.count = 3;
+    buoys.x = x;
+    buoys.z = z;
+    wanted.height_m = heights;
     if (failed(pelagic_ocean_schedule(ocean, 0))) return 1;
     for (n = 1; n <= 5; ++n) {
         /* Completes the frame that was scheduled one frame ago. */
@@ -46,13 +50,13 @@ static int run(pelagic_ocean* ocean) {
 }
 
 int main(void) {
-    pelagic_sea sea = {.struct_size = sizeof sea};
-    const pelagic_ocean_options options = {.struct_size = sizeof options, .queries = 1};
+    pelagic_sea sea = pelagic_sea_make();
+    pelagic_ocean_options options = pelagic_ocean_options_make();
     pelagic_ocean* ocean;
     int result;
 
-    if (failed(pelagic_sea_defaults(&sea))) return 1;
     sea.wind_speed_mps = 9;
+    options.queries = 1;
     if (failed(pelagic_ocean_create(&sea, &options, &ocean))) return 1;
     result = run(ocean);
     pelagic_ocean_destroy(ocean); /* waits for the frame in flight */

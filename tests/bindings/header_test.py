@@ -13,7 +13,7 @@ import sys
 import unittest
 
 import pelagic_ctypes as pelagic
-from pelagic_ctypes import sized
+from pelagic_ctypes import make
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "tools/bindings"))
@@ -25,6 +25,11 @@ import c_layout  # noqa: E402
 import header as generator  # noqa: E402
 
 GOLDEN = dict(line.split() for line in (SOURCE / "tests/golden/hashes.txt").read_text().splitlines())
+
+
+@functools.cache
+def compiled_defaults():
+    return c_layout.compiled_defaults(generator.read_pelagic_header(), SOURCE / "capi", COMPILER)
 
 
 @functools.cache
@@ -54,10 +59,27 @@ class Parser(unittest.TestCase):
             if struct.has_size:
                 self.assertEqual(end, self.compiled[struct.name], struct.name)
 
+    def test_has_the_defaults_of_the_compiler(self):
+        self.assertGreater(len([name for name, number in compiled_defaults().items() if number != 0]), 40)
+        self.assertEqual(c_layout.differences(compiled_defaults(), c_layout.read_defaults(self.header)), [])
+
+    def test_each_struct_with_a_size_has_a_function_that_makes_it(self):
+        text = (SOURCE / "capi/pelagic.h").read_text()
+        self.assertEqual([s.name for s in self.header.structs if s.has_size != (f"{s.name}_make(void)" in text)], [])
+
     def test_structs_have_one_hole_at_most(self):
         for struct in self.header.structs:
             fields = sum(c_header.field_bytes(self.header, field) for field in struct.fields)
             self.assertIn(self.compiled[struct.name] - fields, (0, 4), struct.name)
+
+    def test_structs_that_the_library_only_writes_have_no_size(self):
+        written = {"pelagic_sea"}  # by pelagic_sea_preset()
+        for function in self.header.functions:
+            for parameter in function.parameters:
+                struct = self.header.struct(parameter.type.base)
+                if struct and parameter.type.pointers and struct.name not in written:
+                    is_read = parameter.type.is_const
+                    self.assertEqual(struct.has_size, is_read and struct.name != "pelagic_hull_state", (function.name, struct.name))
 
     def test_finds_the_functions_that_the_library_exports(self):
         exported = (SOURCE / "tests/abi/pelagic.symbols").read_text().split()
@@ -67,11 +89,13 @@ class Parser(unittest.TestCase):
         text = re.sub(r"/\*.*?\*/", "", (SOURCE / "capi/pelagic.h").read_text(), flags=re.S)
         found = {s.name for s in self.header.structs} | {name for name, _ in self.header.handles} | {c.name for c in self.header.callbacks}
         found |= {f.name for f in self.header.functions} | {self.header.status}
+        found |= {f"{s.name}_make" for s in self.header.structs if s.has_size}
         self.assertEqual(set(re.findall(r"\bpelagic_\w+", text)), found)
 
     def test_rejects_what_it_cannot_read(self):
         text = (SOURCE / "capi/pelagic.h").read_text()
-        for unknown in ("union pelagic_union { int32_t a; float b; };", "typedef struct pelagic_bits { uint32_t a : 3; } pelagic_bits;"):
+        for unknown in ("union pelagic_union { int32_t a; float b; };", "typedef struct pelagic_bits { uint32_t a : 3; } pelagic_bits;",
+                        "static inline pelagic_rain pelagic_rain_make(void) { PELAGIC_ZEROS(pelagic_rain, rain); rain.seed += 1; return rain; }"):
             with self.assertRaises((ValueError, TypeError)):
                 c_header.read_header(text.replace("#ifdef __cplusplus\n}", unknown + "\n#ifdef __cplusplus\n}"))
 
@@ -112,10 +136,16 @@ class PythonLayouts(unittest.TestCase):
             here.update({f"{struct.__name__}.{field}": getattr(struct, field).offset for field, *_ in struct._fields_})
         self.assertEqual(c_layout.differences(compiled(), here), [])
 
+    def test_make_structs_of_the_defaults(self):
+        structs = {struct.__name__: make(struct) for struct in pelagic.STRUCTS if hasattr(struct, "struct_size")}
+        here = {name: float(getattr(structs[name.split(".")[0]], name.split(".")[1])) for name in compiled_defaults()}
+        self.assertEqual(c_layout.differences(compiled_defaults(), here), [])
+        self.assertEqual({name: ctypes.sizeof(struct) for name, struct in structs.items()}, {name: s.struct_size for name, s in structs.items()})
+
     def test_the_library_computes_golden_hashes_by_them(self):
         library = pelagic.load(LIBRARY)
         for name in ("preset-calm", "preset-storm"):
-            sea, frame, options = sized(pelagic.pelagic_sea), pelagic.pelagic_frame(), sized(pelagic.pelagic_ocean_options)
+            sea, frame, options = make(pelagic.pelagic_sea), pelagic.pelagic_frame(), make(pelagic.pelagic_ocean_options)
             ocean, number = ctypes.c_void_p(), ctypes.c_uint64()
             self.assertEqual(library.pelagic_sea_preset(name.partition("-")[2].encode(), sea), pelagic.PELAGIC_OK)
             self.assertEqual(library.pelagic_ocean_create(sea, options, ctypes.byref(ocean)), pelagic.PELAGIC_OK)

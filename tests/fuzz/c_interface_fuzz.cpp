@@ -31,10 +31,9 @@ void must_be_a_status(pelagic_status status) {
     if (status != PELAGIC_OK && *pelagic_last_error() == 0) std::abort();
 }
 
+/// Returns a struct, sometimes with another size.
 template <class T>
-T sized(Bytes& bytes) {
-    T value{};
-    value.struct_size = sizeof(T);
+T of_any_size(T value, Bytes& bytes) {
     if (bytes.take<std::uint8_t>() == 255) {
         // Sizes up to 4096 bytes are those of newer applications and are read, so this much memory
         // must be valid. Larger sizes are rejected without reading.
@@ -58,11 +57,7 @@ void in_turn(void*, std::size_t count, void (*job)(void*, std::size_t), void* wo
 void at_once(void*, void (*task)(void*), void* work) { task(work); }
 
 pelagic_sea any_sea(Bytes& bytes) {
-    auto sea = sized<pelagic_sea>(bytes);
-    const std::uint32_t size = sea.struct_size;
-    sea.struct_size = sizeof sea;
-    must_be_a_status(pelagic_sea_defaults(&sea));
-    sea.struct_size = size;
+    auto sea = of_any_size(pelagic_sea_make(), bytes);
     sea.resolution = 16;
     sea.patch_size_m = 250;
     double* const fields[] = {
@@ -107,7 +102,7 @@ std::vector<pelagic_input*> any_inputs(Bytes& bytes) {
         must_be_a_status(status);
         if (made) inputs.push_back(made);
     };
-    auto waves = sized<pelagic_waves>(bytes);
+    auto waves = of_any_size(pelagic_waves_make(), bytes);
     double of_waves[4][3];
     for (auto& field : of_waves)
         for (double& value : field) value = bytes.number();
@@ -119,13 +114,13 @@ std::vector<pelagic_input*> any_inputs(Bytes& bytes) {
     pelagic_input* made = nullptr;
     keep(pelagic_input_create_waves(&waves, &made), made);
     if (made) must_be_a_status(pelagic_input_set_waves(made, &waves));
-    auto ripple = sized<pelagic_ripple>(bytes);
+    auto ripple = of_any_size(pelagic_ripple_make(), bytes);
     for (double* const field :
          {&ripple.x_m, &ripple.z_m, &ripple.wavelength_m, &ripple.amplitude_m, &ripple.reach_m, &ripple.phase_rad})
         *field = bytes.number();
     made = nullptr;
     keep(pelagic_input_create_ripple(&ripple, &made), made);
-    auto callback = sized<pelagic_input_callback>(bytes);
+    auto callback = of_any_size(pelagic_input_callback_make(), bytes);
     static float value;
     value = static_cast<float>(bytes.number());
     callback.add = [](void* user, const pelagic_input_rows* rows) {
@@ -146,11 +141,7 @@ void change(Bytes& bytes, T& options, double T::*const (&fields)[count]) {
 }
 
 pelagic_dynamic_waves_options any_dynamic_waves(Bytes& bytes) {
-    auto dynamic_waves = sized<pelagic_dynamic_waves_options>(bytes);
-    const std::uint32_t size = dynamic_waves.struct_size;
-    dynamic_waves.struct_size = sizeof dynamic_waves;
-    must_be_a_status(pelagic_dynamic_waves_defaults(&dynamic_waves));
-    dynamic_waves.struct_size = size;
+    auto dynamic_waves = of_any_size(pelagic_dynamic_waves_options_make(), bytes);
     dynamic_waves.resolution = 64;
     const auto kind = bytes.take<std::uint8_t>();
     dynamic_waves.step = kind % 3;
@@ -170,11 +161,7 @@ pelagic_dynamic_waves_options any_dynamic_waves(Bytes& bytes) {
 
 /// \param heights heights of the floor; must live until the ocean has been created
 pelagic_shore_options any_shore(Bytes& bytes, std::array<float, 64>& heights) {
-    auto shore = sized<pelagic_shore_options>(bytes);
-    const std::uint32_t size = shore.struct_size;
-    shore.struct_size = sizeof shore;
-    must_be_a_status(pelagic_shore_defaults(&shore));
-    shore.struct_size = size;
+    auto shore = of_any_size(pelagic_shore_options_make(), bytes);
     shore.resolution = 64;
     for (float& height : heights) height = static_cast<float>(bytes.number());
     const auto kind = bytes.take<std::uint8_t>();
@@ -190,7 +177,7 @@ pelagic_shore_options any_shore(Bytes& bytes, std::array<float, 64>& heights) {
 }
 
 pelagic_ocean* any_ocean(Bytes& bytes) {
-    auto executor_options = sized<pelagic_executor_options>(bytes);
+    auto executor_options = of_any_size(pelagic_executor_options_make(), bytes);
     constexpr std::int32_t kinds[] = {PELAGIC_EXECUTOR_SERIAL, PELAGIC_EXECUTOR_APPLICATION, PELAGIC_EXECUTOR_TBB,
                                       -7};
     executor_options.kind = kinds[bytes.take<std::uint8_t>() % std::size(kinds)];
@@ -203,12 +190,11 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     // Not the default executor: its threads would take longer to start than all calls.
     pelagic_executor* serial = nullptr;
     if (!executor) {
-        pelagic_executor_options plain{};
-        plain.struct_size = sizeof plain;
+        auto plain = pelagic_executor_options_make();
         plain.kind = PELAGIC_EXECUTOR_SERIAL;
         must_be_a_status(pelagic_executor_create(&plain, &serial));
     }
-    auto options = sized<pelagic_ocean_options>(bytes);
+    auto options = of_any_size(pelagic_ocean_options_make(), bytes);
     options.executor = executor ? executor : serial;
     const auto queries = bytes.take<std::uint8_t>();
     options.queries = queries % 4;
@@ -244,13 +230,13 @@ void any_query(Bytes& bytes, const pelagic_ocean* ocean) {
     double x[max], z[max];
     float out[10][max];
     std::uint8_t converged[max];
-    auto points = sized<pelagic_points>(bytes);
+    auto points = of_any_size(pelagic_points_make(), bytes);
     const auto count = bytes.take<std::uint8_t>();
     points.count = count == 255 ? SIZE_MAX - bytes.take<std::uint8_t>() : count % max;
     for (std::size_t i = 0; i < points.count % max; ++i) x[i] = bytes.number(), z[i] = bytes.number();
     points.x = count == 254 ? nullptr : x;
     points.z = z;
-    auto samples = sized<pelagic_samples>(bytes);
+    auto samples = of_any_size(pelagic_samples_make(), bytes);
     float** const wanted[10] = {&samples.height_m,       &samples.normal_x,
                                 &samples.normal_y,       &samples.normal_z,
                                 &samples.jacobian,       &samples.velocity_x_mps,
@@ -264,7 +250,7 @@ void any_query(Bytes& bytes, const pelagic_ocean* ocean) {
 }
 
 void any_ray(Bytes& bytes, const pelagic_ocean* ocean) {
-    auto ray = sized<pelagic_ray>(bytes);
+    auto ray = of_any_size(pelagic_ray_make(), bytes);
     for (double& along : ray.origin_m) along = bytes.number();
     for (double& along : ray.direction) along = bytes.number();
     ray.reach_m = bytes.number();
@@ -279,7 +265,7 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
     // array has enough memory for them.
     alignas(pelagic_frame_buffers) static std::array<std::byte, 4 * 4096> cascades;
     cascades = {};
-    const auto first = sized<pelagic_frame_buffers>(bytes);
+    const auto first = of_any_size(pelagic_frame_buffers_make(), bytes);
     pelagic_ocean_info info{};
     std::size_t side = 16;
     if (ocean && pelagic_ocean_describe(ocean, &info) == PELAGIC_OK) side = static_cast<std::size_t>(info.resolution);
@@ -322,11 +308,7 @@ void any_cascade(Bytes& bytes, const pelagic_ocean* ocean) {
 }
 
 pelagic_disturbance any_disturbance(Bytes& bytes) {
-    auto disturbance = sized<pelagic_disturbance>(bytes);
-    const std::uint32_t size = disturbance.struct_size;
-    disturbance.struct_size = sizeof disturbance;
-    must_be_a_status(pelagic_disturbance_defaults(&disturbance));
-    disturbance.struct_size = size;
+    auto disturbance = of_any_size(pelagic_disturbance_make(), bytes);
     const auto kind = bytes.take<std::uint8_t>();
     disturbance.shape = kind % 3;
     disturbance.mode = kind / 3 % 5;
@@ -456,7 +438,7 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
         case 9: any_frame_at(bytes, ocean); break;
         case 10: any_cascade(bytes, ocean); break;
         case 11: {
-            auto water = sized<pelagic_water_frame>(bytes);
+            auto water = of_any_size(pelagic_water_frame_make(), bytes);
             water.sea_level_m = bytes.number();
             water.current_x_mps = bytes.number();
             water.current_z_mps = bytes.number();

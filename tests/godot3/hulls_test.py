@@ -16,7 +16,7 @@ sys.path.append(str(here.parent / "bindings"))
 sys.dont_write_bytecode = True
 import pelagic_ctypes as pelagic  # noqa: E402
 from c_bodies import CBodies  # noqa: E402
-from pelagic_ctypes import sized  # noqa: E402
+from pelagic_ctypes import make  # noqa: E402
 
 project, library_file = sys.argv[1:]
 steps, step_s = 200, 1 / 60
@@ -126,19 +126,17 @@ class CInterface(CBodies):
 
     def __init__(self):
         super().__init__(library_file)
-        sea, self.ocean, self.hull = sized(pelagic.pelagic_sea), ctypes.c_void_p(), ctypes.c_void_p()
-        self.call("sea_defaults", sea)
+        sea, self.ocean, self.hull = make(pelagic.pelagic_sea), ctypes.c_void_p(), ctypes.c_void_p()
         sea.cascades, sea.resolution, sea.wind_speed_mps = 2, 32, 12
-        self.call("ocean_create", sea, sized(pelagic.pelagic_ocean_options, queries=1, velocities=1), ctypes.byref(self.ocean))
-        options = sized(pelagic.pelagic_hull_options)
-        self.call("hull_defaults", options)
+        self.call("ocean_create", sea, make(pelagic.pelagic_ocean_options, queries=1, velocities=1), ctypes.byref(self.ocean))
+        options = make(pelagic.pelagic_hull_options)
         options.mass_kg, options.roll_damping = mass_kg, 0.125
         options.centre_of_mass_m, options.inertia_kgm2 = doubles(centre_of_mass_m), doubles(inertia_kgm2)
         vertices = boat[0]["vertices"] + boat[1]["vertices"]
         triangles = sides + [(i, i + 2, i + 1) for i in range(10, len(vertices) // 3, 3)]
         numbers = (ctypes.c_uint32 * (3 * len(triangles)))(*(number for triangle in triangles for number in triangle))
-        self.call("hull_create", sized(pelagic.pelagic_hull_mesh, vertex_count=len(vertices) // 3, vertices_m=doubles(vertices),
-                                       triangle_count=len(triangles), triangles=numbers), options, ctypes.byref(self.hull))
+        self.call("hull_create", make(pelagic.pelagic_hull_mesh, vertex_count=len(vertices) // 3, vertices_m=doubles(vertices),
+                                      triangle_count=len(triangles), triangles=numbers), options, ctypes.byref(self.hull))
 
     def at_rest(self, x_m, z_m, heading_rad=0.0):
         """The state in which the mesh's origin is at a position."""
@@ -156,7 +154,7 @@ class CInterface(CBodies):
         return bodies
 
     def push(self, bodies, force_n, torque_nm, wind_mps):
-        inputs = sized(pelagic.pelagic_hull_inputs)
+        inputs = make(pelagic.pelagic_hull_inputs)
         inputs.force.force_n[:], inputs.force.torque_nm[:], inputs.wind_mps[:] = force_n, torque_nm, wind_mps
         self.call("bodies_set_inputs", bodies, 1, inputs)
 

@@ -14,7 +14,7 @@ sys.path.append(str(here.parent / "bindings"))
 sys.dont_write_bytecode = True
 import pelagic_ctypes as pelagic  # noqa: E402
 from c_bodies import CBodies  # noqa: E402
-from pelagic_ctypes import sized  # noqa: E402
+from pelagic_ctypes import make  # noqa: E402
 
 project, library_file = sys.argv[1:]
 step_s = 1 / 60
@@ -38,28 +38,25 @@ appended = 8  # bytes of the node after those of the C interface
 class CInterface(CBodies):
     def __init__(self):
         super().__init__(library_file)
-        options = sized(pelagic.pelagic_sea)
-        self.call("sea_defaults", options)
+        options = make(pelagic.pelagic_sea)
         options.cascades, options.resolution, options.wind_speed_mps = sea["cascades"], sea["resolution"], sea["wind_speed_mps"]
-        waves = sized(pelagic.pelagic_dynamic_waves_options)
-        self.call("dynamic_waves_defaults", waves)
+        waves = make(pelagic.pelagic_dynamic_waves_options)
         waves.resolution, waves.side_m, waves.border_m = 64, 32, 6
         self.ocean, self.waves, self.hull = ctypes.c_void_p(), ctypes.c_void_p(), ctypes.c_void_p()
         self.call("ocean_create", options,
-                  sized(pelagic.pelagic_ocean_options, queries=1, velocities=1, dynamic_waves=ctypes.addressof(waves)),
+                  make(pelagic.pelagic_ocean_options, queries=1, velocities=1, dynamic_waves=ctypes.addressof(waves)),
                   ctypes.byref(self.ocean))
         self.call("ocean_dynamic_waves", self.ocean, ctypes.byref(self.waves))
-        hull = sized(pelagic.pelagic_hull_options)
-        self.call("hull_defaults", hull)
+        hull = make(pelagic.pelagic_hull_options)
         hull.mass_kg, hull.centre_of_mass_m = mass_kg, (ctypes.c_double * 3)(0, 0, 0)
         self.call("hull_create",
-                  sized(pelagic.pelagic_hull_mesh, vertex_count=len(corners) // 3, vertices_m=(ctypes.c_double * len(corners))(*corners),
-                        triangle_count=len(faces) // 3, triangles=(ctypes.c_uint32 * len(faces))(*faces)),
+                  make(pelagic.pelagic_hull_mesh, vertex_count=len(corners) // 3, vertices_m=(ctypes.c_double * len(corners))(*corners),
+                       triangle_count=len(faces) // 3, triangles=(ctypes.c_uint32 * len(faces))(*faces)),
                   hull, ctypes.byref(self.hull))
 
     def bodies(self, *places, wakes=1):
         bodies, number = ctypes.c_void_p(), ctypes.c_uint32()
-        self.call("bodies_create", self.ocean, sized(pelagic.pelagic_bodies_options, wakes=wakes), ctypes.byref(bodies))
+        self.call("bodies_create", self.ocean, make(pelagic.pelagic_bodies_options, wakes=wakes), ctypes.byref(bodies))
         for x_m, z_m in places:
             state = pelagic.pelagic_hull_state()
             self.call("hull_at_rest", self.hull, x_m, z_m, 0.0, state)
@@ -75,7 +72,7 @@ class CInterface(CBodies):
             self.call("ocean_schedule", self.ocean, frame * steps / 60.0)
             self.call("ocean_complete", self.ocean, pelagic.pelagic_frame())
             bodies = bodies or self.bodies((0, 0))
-            inputs = sized(pelagic.pelagic_hull_inputs)
+            inputs = make(pelagic.pelagic_hull_inputs)
             inputs.force.force_n[:] = [3000, 0, 500] if frame < frames // 2 else [0, 0, 0]
             self.call("bodies_set_inputs", bodies, 1, inputs)
             for _ in range(steps):

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Reflection;
@@ -61,6 +62,7 @@ public static class Expected
     public static string Text(string name) => values[name];
     public static ulong Hash(string name) => Convert.ToUInt64(values[name], 16);
     public static long Number(string name) => long.Parse(values[name]);
+    public static double Real(string name) => double.Parse(values[name], CultureInfo.InvariantCulture);
 }
 
 public static class Program

@@ -44,6 +44,30 @@ public static class LayoutTests
         Check.True(compared > 300, "all fields are compared");
     }
 
+    private static object Make(string name)
+    {
+        var native = assembly.GetType("Pelagic.Native");
+        return native.GetMethod(name + "_make", BindingFlags.Static | BindingFlags.NonPublic)?.Invoke(null, null) ?? Activator.CreateInstance(TypeOf(name));
+    }
+
+    [Test]
+    public static void StructsHaveTheDefaultsOfC()
+    {
+        var compared = 0;
+        foreach (var name in Expected.Names("default pelagic_"))
+        {
+            var parts = name.Substring("default ".Length).Split('.');
+            var made = Make(parts[0]);
+            var type = made.GetType();
+            var field = type.GetField(FieldOf(type, parts[1]), BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic);
+            var value = field.GetValue(made);
+            var number = value is UIntPtr size ? (double)(ulong)size : value is Enum ? (int)value : Convert.ToDouble(value);
+            Check.Equal(number, Expected.Real(name), name);
+            ++compared;
+        }
+        Check.True(compared > 90, "all fields are compared");
+    }
+
     [Test]
     public static void StructsAreBlittable()
     {

@@ -37,6 +37,7 @@ def quadtree_lines(program, folder):
 def expected_lines(compiler):
     header = generator.read_pelagic_header()
     yield from (f"layout {name} {number}" for name, number in c_layout.compiled_layout(header, SOURCE / "capi", compiler).items())
+    yield from (f"default {name} {number!r}" for name, number in c_layout.compiled_defaults(header, SOURCE / "capi", compiler).items())
     yield from (f"golden {line}" for line in (GOLDEN / "hashes.txt").read_text().splitlines())
     # a name, and numbers with commas
     yield from (" ".join([*words[:2], ",".join(words[2:])]) for words in map(str.split, (GOLDEN / "values.txt").read_text().splitlines()))

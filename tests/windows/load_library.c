@@ -7,10 +7,9 @@
 #include <windows.h>
 
 /* The called functions, with the types of the header. */
-#define FUNCTIONS(DO)                                                                                   \
-    DO(pelagic_last_error) DO(pelagic_sea_defaults) DO(pelagic_executor_create) DO(pelagic_executor_destroy) \
-    DO(pelagic_ocean_create) DO(pelagic_ocean_destroy) DO(pelagic_ocean_schedule) DO(pelagic_ocean_complete) \
-    DO(pelagic_ocean_hash)
+#define FUNCTIONS(DO)                                                                                        \
+    DO(pelagic_last_error) DO(pelagic_executor_create) DO(pelagic_executor_destroy) DO(pelagic_ocean_create) \
+    DO(pelagic_ocean_destroy) DO(pelagic_ocean_schedule) DO(pelagic_ocean_complete) DO(pelagic_ocean_hash)
 
 typedef struct {
 #define MEMBER(name) __typeof__(&name) name;
@@ -45,13 +44,14 @@ static int use_once(const char* file) {
     pelagic_functions pelagic;
     if (!find_functions(library, &pelagic)) return 0;
 
-    pelagic_sea sea = {.struct_size = sizeof sea};
-    pelagic_executor_options pool = {.struct_size = sizeof pool, .kind = PELAGIC_EXECUTOR_THREADS, .threads = 3};
-    pelagic_ocean_options options = {.struct_size = sizeof options};
+    const pelagic_sea sea = pelagic_sea_make();
+    pelagic_executor_options pool = pelagic_executor_options_make();
+    pelagic_ocean_options options = pelagic_ocean_options_make();
     pelagic_executor* executor = NULL;
     pelagic_ocean* ocean = NULL;
-    int done = pelagic.pelagic_sea_defaults(&sea) == PELAGIC_OK &&
-               pelagic.pelagic_executor_create(&pool, &executor) == PELAGIC_OK;
+    pool.kind = PELAGIC_EXECUTOR_THREADS;
+    pool.threads = 3;
+    int done = pelagic.pelagic_executor_create(&pool, &executor) == PELAGIC_OK;
     options.executor = executor;
     done = done && pelagic.pelagic_ocean_create(&sea, &options, &ocean) == PELAGIC_OK && print_frames(&pelagic, ocean);
     if (!done) fprintf(stderr, "%s\n", pelagic.pelagic_last_error());

@@ -1,4 +1,5 @@
-"""Parser of pelagic.h: enums, structs, handles, callbacks and functions, with their comments.
+"""Parser of pelagic.h: enums, structs with their defaults, handles, callbacks and functions, with
+their comments.
 
 It reads the C that the header uses and no more. Text that it cannot read is an error, so that no
 declaration is lost.
@@ -52,6 +53,8 @@ class Struct:
     name: str
     fields: list
     doc: str = ""
+    # of fields that are not 0, as C writes them: numbers and enumerators
+    defaults: dict = dataclasses.field(default_factory=dict)
 
     @property
     def has_size(self):
@@ -202,6 +205,18 @@ def read_fields(body, at, comments):
     return fields
 
 
+def read_defaults(struct, body):
+    """The assignments of pelagic_..._make()."""
+    if not re.match(r"\s*PELAGIC_(RETURN_)?ZEROS\(" + struct.name + r"\b", body):
+        raise ValueError(f"{struct.name}_make does not begin with zeros")
+    names = {field.name for field in struct.fields}
+    for statement in body.split(";")[1:-1]:
+        if match := re.fullmatch(r"\s*\w+\.(\w+) = ([-.\w]+)", statement):
+            struct.defaults[match[1]] = match[2]
+        if (match[1] not in names) if match else not re.fullmatch(r"\s*return \w+", statement):
+            raise ValueError(f"unknown default: {statement}")
+
+
 def link_enums(header):
     """Finds the enum of int32_t fields: their comments name it, as PELAGIC_SPECTRUM_..."""
     prefixes = {enum.prefix: enum for enum in header.enums}
@@ -222,9 +237,10 @@ def link_callbacks(header):
 
 def read_header(text):
     comments = Comments(text)
-    # Preprocessor lines, with blanks in their place, and what C++ needs.
-    code = re.sub(r"^#(?:[^\n]*\\\n)*[^\n]*", lambda m: re.sub(r"[^\n]", " ", m[0]), comments.code, flags=re.M)
-    code = re.sub(r'extern "C" \{|^\}$', lambda m: " " * len(m[0]), code, flags=re.M)
+    # What C++ needs, and preprocessor lines, with blanks in their place.
+    code = comments.code
+    for pattern in (r'^#ifdef __cplusplus\n(extern "C" \{|\})\n#endif', r"^#(?:[^\n]*\\\n)*[^\n]*"):
+        code = re.sub(pattern, lambda m: re.sub(r"[^\n]", " ", m[0]), code, flags=re.M)
     header, rest = Header(), code
 
     def matches(pattern):
@@ -238,6 +254,8 @@ def read_header(text):
     sections = [(m.start(), m[1]) for m in re.finditer(r"^/\* ---- (.*?) -+ \*/", text, re.M)]
     for match in matches(r"\btypedef struct (\w+) \{([^}]*)\} (\w+);"):
         header.structs.append(Struct(match[3], read_fields(match[2], match.start(2), comments), comments.before(match.start())))
+    for match in matches(r"\bstatic inline (\w+) \1_make\(void\) \{([^}]*)\}"):
+        read_defaults(header.struct(match[1]), match[2])
     for match in matches(r"\btypedef struct (\w+) \1;"):
         header.handles.append((match[1], comments.before(match.start())))
     for match in matches(r"(?:\btypedef int32_t (\w+);\s*)?\benum \{([^}]*)\};"):

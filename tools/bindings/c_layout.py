@@ -1,5 +1,5 @@
-"""Checks what c_header.py read of pelagic.h with a C compiler: sizes, offsets, enumerators and the
-types of functions."""
+"""Checks what c_header.py read of pelagic.h with a C compiler: sizes, offsets, enumerators, defaults
+and the types of functions."""
 import pathlib
 import subprocess
 import tempfile
@@ -7,10 +7,13 @@ import tempfile
 import c_header
 
 
+HEAD = ["#include <stddef.h>", "#include <stdio.h>", '#include "pelagic.h"', ""]
+
+
 def program(header):
     """A C program that prints the layout that the compiler uses, and compiles only if the types of
     the functions are right."""
-    lines = ["#include <stddef.h>", "#include <stdio.h>", '#include "pelagic.h"', ""]
+    lines = [*HEAD]
     for function in header.functions:
         parameters = ", ".join(p.type.declare(p.name) for p in function.parameters) or "void"
         lines.append(f"{function.result.c()} (*check_{function.name})({parameters}) = {function.name};")
@@ -25,19 +28,50 @@ def program(header):
     return "\n".join(lines + ["    return 0;", "}", ""])
 
 
-def compiled_layout(header, folder_of_header, compiler):
-    """Name and number of each line of the program. It is linked without the library, so that
+def numbers(header):
+    """The fields of structs that pelagic_..._make() returns, without pointers and arrays."""
+    for struct in header.structs:
+        for field in struct.fields if struct.has_size else []:
+            if field.name != "struct_size" and not field.count and not field.type.pointers and field.type.base in c_header.SIZES:
+                yield struct, field
+
+
+def program_of_defaults(header):
+    """A C program that prints the numbers of pelagic_..._make()."""
+    lines = [*HEAD, "int main(void) {"]
+    for struct, field in numbers(header):
+        lines.append(f'    printf("{struct.name}.{field.name} %.17g\\n", (double){struct.name}_make().{field.name});')
+    return "\n".join(lines + ["    return 0;", "}", ""])
+
+
+def output(text, folder_of_header, compiler):
+    """Pairs of a name and a number, which a program prints. It is linked without the library, so that
     functions stay undefined."""
     with tempfile.TemporaryDirectory() as folder:
         source, binary = pathlib.Path(folder, "layout.c"), pathlib.Path(folder, "layout")
-        text = program(header)
         source.write_text(text)
         flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-DPELAGIC_STATIC", f"-I{folder_of_header}"]
-        subprocess.run([compiler, *flags, "-fsyntax-only", source], check=True)
-        source.write_text("\n".join(line for line in text.split("\n") if "(*check_" not in line))
+        if "(*check_" in text:
+            subprocess.run([compiler, *flags, "-fsyntax-only", source], check=True)
+            source.write_text("\n".join(line for line in text.split("\n") if "(*check_" not in line))
         subprocess.run([compiler, *flags, source, "-o", binary], check=True)
-        output = subprocess.run([binary], check=True, capture_output=True, text=True).stdout
-    return {name: int(number) for name, number in (line.split() for line in output.splitlines())}
+        lines = subprocess.run([binary], check=True, capture_output=True, text=True).stdout.splitlines()
+    return [line.split() for line in lines]
+
+
+def compiled_layout(header, folder_of_header, compiler):
+    return {name: int(number) for name, number in output(program(header), folder_of_header, compiler)}
+
+
+def compiled_defaults(header, folder_of_header, compiler):
+    return {name: float(number) for name, number in output(program_of_defaults(header), folder_of_header, compiler)}
+
+
+def read_defaults(header):
+    """The same names and numbers from the parsed header."""
+    enumerators = {enum.prefix + name: value for enum in header.enums for name, value, _ in enum.values}
+    values = {f"{struct.name}.{field.name}": struct.defaults.get(field.name, "0") for struct, field in numbers(header)}
+    return {name: float(enumerators.get(value, value)) for name, value in values.items()}
 
 
 def read_layout(header):

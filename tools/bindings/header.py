@@ -5,8 +5,8 @@ usage: header.py            compares the files in the tree with what would be ge
        header.py --write    writes them
        header.py --freeze   writes tests/abi/pelagic-1.layout, which later versions 1.x must keep
 
-unity/Runtime/Native.g.cs        structs, enums and functions for C#
-tests/bindings/pelagic_ctypes.py structs, constants and functions for ctypes
+unity/Runtime/Native.g.cs        structs with their defaults, enums and functions for C#
+tests/bindings/pelagic_ctypes.py structs with their defaults, constants and functions for ctypes
 docs/api.md                      the table of functions
 """
 import difflib

@@ -3,46 +3,22 @@ using System.Runtime.InteropServices;
 
 namespace Pelagic
 {
-    public unsafe partial struct DynamicWavesOptions
+    public partial struct DynamicWavesOptions
     {
         /// <summary>The default options: spectral, 256 texels on 64 m, 60 ticks a second.</summary>
-        public static DynamicWavesOptions Default
-        {
-            get
-            {
-                var options = new DynamicWavesOptions { struct_size = (uint)sizeof(DynamicWavesOptions) };
-                Errors.Check(Native.pelagic_dynamic_waves_defaults(&options));
-                return options;
-            }
-        }
+        public static DynamicWavesOptions Default => Native.pelagic_dynamic_waves_options_make();
     }
 
-    public unsafe partial struct Disturbance
+    public partial struct Disturbance
     {
         /// <summary>A pressure of 0 m at the origin, radius and length 1 m, rate 10.</summary>
-        public static Disturbance Default
-        {
-            get
-            {
-                var disturbance = new Disturbance { struct_size = (uint)sizeof(Disturbance) };
-                Errors.Check(Native.pelagic_disturbance_defaults(&disturbance));
-                return disturbance;
-            }
-        }
+        public static Disturbance Default => Native.pelagic_disturbance_make();
     }
 
-    public unsafe partial struct Rain
+    public partial struct Rain
     {
         /// <summary>No rain, drops of 0.25 m radius and 0.02 m depth, seed 1.</summary>
-        public static Rain Default
-        {
-            get
-            {
-                var rain = new Rain { struct_size = (uint)sizeof(Rain) };
-                Errors.Check(Native.pelagic_rain_defaults(&rain));
-                return rain;
-            }
-        }
+        public static Rain Default => Native.pelagic_rain_make();
     }
 
     /// <summary>

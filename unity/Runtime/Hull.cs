@@ -21,9 +21,7 @@ namespace Pelagic
         /// <summary>The default coefficients.</summary>
         public HullOptions(double massKg)
         {
-            var native = new Native.pelagic_hull_options { struct_size = (uint)sizeof(Native.pelagic_hull_options) };
-            Errors.Check(Native.pelagic_hull_defaults(&native));
-            CopyFrom(native);
+            CopyFrom(Native.pelagic_hull_options_make());
             MassKg = massKg;
         }
 

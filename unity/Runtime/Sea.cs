@@ -3,15 +3,7 @@ namespace Pelagic
     public unsafe partial struct Sea
     {
         /// <summary>The default sea. All other seas begin with it or a preset: zeros are not valid.</summary>
-        public static Sea Default
-        {
-            get
-            {
-                var sea = default(Sea).Sized();
-                Errors.Check(Native.pelagic_sea_defaults(&sea));
-                return sea;
-            }
-        }
+        public static Sea Default => Native.pelagic_sea_make();
 
         /// <summary>
         /// A preset: "calm", "lake", "swell", "moderate", "rough", "storm", "pond", "analytic-calm",

@@ -10,9 +10,7 @@ namespace Pelagic
         /// <summary>The defaults: no samples, 1 m between them, 256 texels, a derived swash.</summary>
         public ShoreOptions()
         {
-            var native = new Native.pelagic_shore_options { struct_size = (uint)sizeof(Native.pelagic_shore_options) };
-            Errors.Check(Native.pelagic_shore_defaults(&native));
-            CopyFrom(native);
+            CopyFrom(Native.pelagic_shore_options_make());
         }
 
         internal void Write(ref Native.pelagic_shore_options native)

@@ -3,32 +3,16 @@ using System.Runtime.InteropServices;
 
 namespace Pelagic
 {
-    public unsafe partial struct SprayOptions
+    public partial struct SprayOptions
     {
         /// <summary>Seed 1, a reach of 80 m, amount 1.</summary>
-        public static SprayOptions Default
-        {
-            get
-            {
-                var options = new SprayOptions { struct_size = (uint)sizeof(SprayOptions) };
-                Errors.Check(Native.pelagic_spray_defaults(&options));
-                return options;
-            }
-        }
+        public static SprayOptions Default => Native.pelagic_spray_options_make();
     }
 
-    public unsafe partial struct SprayEmitter
+    public partial struct SprayEmitter
     {
         /// <summary>One droplet of 0.05 m at rest at the origin and t = 0, of drops of 1 mm.</summary>
-        public static SprayEmitter Default
-        {
-            get
-            {
-                var emitter = new SprayEmitter { struct_size = (uint)sizeof(SprayEmitter) };
-                Errors.Check(Native.pelagic_spray_emitter_defaults(&emitter));
-                return emitter;
-            }
-        }
+        public static SprayEmitter Default => Native.pelagic_spray_emitter_make();
     }
 
     /// <summary>Arrays for the droplets of any frame, in the world; the first Count elements are theirs.</summary>
