@@ -145,10 +145,9 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     expect_read_in_every_size(pelagic_waves_make(), [&](pelagic_waves* waves) {
         return status_of_input(pelagic_input_create_waves, waves);
     });
-    auto ripple = pelagic_ripple_make();
-    ripple.wavelength_m = 1;
-    expect_read_in_every_size(
-        ripple, [&](pelagic_ripple* rings) { return status_of_input(pelagic_input_create_ripple, rings); });
+    expect_read_in_every_size(pelagic_ripple_make(), [&](pelagic_ripple* rings) {
+        return status_of_input(pelagic_input_create_ripple, rings);
+    });
     auto callback = pelagic_input_callback_make();
     callback.add = [](void*, const pelagic_input_rows*) {};
     expect_read_in_every_size(callback, [&](pelagic_input_callback* wanted) {

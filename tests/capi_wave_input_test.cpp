@@ -118,8 +118,7 @@ TEST(CInterfaceInputs, InputsCanBeChangedBetweenFrames) {
     EXPECT_NE(hash_at(ocean, 3), hash_at(pure, 3));
     const auto nothing = pelagic_waves_make();
     ASSERT_EQ(pelagic_input_set_waves(waves.get(), &nothing), PELAGIC_OK) << pelagic_last_error();
-    auto still = pelagic_ripple_make();
-    still.wavelength_m = 1;
+    const auto still = pelagic_ripple_make();
     ASSERT_EQ(pelagic_input_set_ripple(rings.get(), &still), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(hash_at(ocean, 3), hash_at(pure, 3));
     expect_rejected(pelagic_input_set_ripple(waves.get(), &still), PELAGIC_INVALID_ARGUMENT,
@@ -145,7 +144,8 @@ TEST(CInterfaceInputs, InvalidValuesAreRejectedWithOneLine) {
     waves.count = 1, waves.amplitude_m = nullptr;
     expect_rejected(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
                     "waves.amplitude_m is NULL, expected a pointer");
-    const auto ripple = pelagic_ripple_make();
+    auto ripple = pelagic_ripple_make();
+    ripple.wavelength_m = 0;
     expect_rejected(pelagic_input_create_ripple(&ripple, &made), PELAGIC_INVALID_ARGUMENT,
                     "wavelength_m 0 is out of range [0.01, 1000]");
     auto callback = pelagic_input_callback_make();
