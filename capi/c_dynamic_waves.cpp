@@ -14,11 +14,18 @@
 namespace pelagic::capi {
 namespace {
 
+// generated from schema/dynamic_waves.toml: c-checks
+static_assert(PELAGIC_DYNAMIC_WAVES_SPECTRAL == static_cast<int>(DynamicWavesStep::spectral));
 static_assert(PELAGIC_DYNAMIC_WAVES_VERLET == static_cast<int>(DynamicWavesStep::verlet));
+// end of generated
+// generated from schema/disturbance.toml: c-checks
+static_assert(PELAGIC_SHAPE_GAUSS == static_cast<int>(Disturbance::Shape::gauss));
 static_assert(PELAGIC_SHAPE_HULL == static_cast<int>(Disturbance::Shape::hull));
-static_assert(PELAGIC_DISTURBANCE_RELAXATION == static_cast<int>(Disturbance::Mode::relaxation) &&
-              PELAGIC_DISTURBANCE_IMPULSE == static_cast<int>(Disturbance::Mode::impulse) &&
-              PELAGIC_DISTURBANCE_FOAM == static_cast<int>(Disturbance::Mode::foam));
+static_assert(PELAGIC_DISTURBANCE_PRESSURE == static_cast<int>(Disturbance::Mode::pressure));
+static_assert(PELAGIC_DISTURBANCE_RELAXATION == static_cast<int>(Disturbance::Mode::relaxation));
+static_assert(PELAGIC_DISTURBANCE_IMPULSE == static_cast<int>(Disturbance::Mode::impulse));
+static_assert(PELAGIC_DISTURBANCE_FOAM == static_cast<int>(Disturbance::Mode::foam));
+// end of generated
 
 DynamicWaves& needed_waves(pelagic_dynamic_waves* waves) { return *needed(waves, "waves").waves; }
 
@@ -48,48 +55,54 @@ DynamicWaves::Resources resources_of(const pelagic_dynamic_waves_resources* poin
 
 Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name) {
     const pelagic_disturbance from = read_struct(pointer, name);
-    if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
-        reject(invalid_value_message("shape", from.shape, "one of PELAGIC_SHAPE_..."));
-    if (from.mode < 0 || from.mode > PELAGIC_DISTURBANCE_FOAM)
-        reject(invalid_value_message("mode", from.mode, "one of PELAGIC_DISTURBANCE_..."));
-    return {.shape = static_cast<Disturbance::Shape>(from.shape),
-            .mode = static_cast<Disturbance::Mode>(from.mode),
-            .x_m = from.x_m,
-            .z_m = from.z_m,
-            .radius_m = from.radius_m,
-            .length_m = from.length_m,
-            .heading_rad = from.heading_rad,
-            .height_m = from.height_m,
-            .rate_per_s = from.rate_per_s,
-            .velocity_x_mps = from.velocity_x_mps,
-            .velocity_z_mps = from.velocity_z_mps};
+    Disturbance to;
+    constexpr std::string_view prefix = "";
+    // generated from schema/disturbance.toml: c-reads
+    to.shape = enum_of<Disturbance::Shape>(from.shape, prefix, "shape", "one of PELAGIC_SHAPE_...");
+    to.mode = enum_of<Disturbance::Mode>(from.mode, prefix, "mode", "one of PELAGIC_DISTURBANCE_...");
+    to.x_m = from.x_m;
+    to.z_m = from.z_m;
+    to.radius_m = from.radius_m;
+    to.length_m = from.length_m;
+    to.heading_rad = from.heading_rad;
+    to.height_m = from.height_m;
+    to.rate_per_s = from.rate_per_s;
+    to.velocity_x_mps = from.velocity_x_mps;
+    to.velocity_z_mps = from.velocity_z_mps;
+    // end of generated
+    return to;
 }
 
 Rain rain_of(const pelagic_rain* rain) {
     const pelagic_rain from = read_struct(rain, "rain");
-    return {.drops_per_m2_s = from.drops_per_m2_s,
-            .radius_m = from.radius_m,
-            .height_m = from.height_m,
-            .seed = from.seed};
+    Rain to;
+    // generated from schema/rain.toml: c-reads
+    to.drops_per_m2_s = from.drops_per_m2_s;
+    to.radius_m = from.radius_m;
+    to.height_m = from.height_m;
+    to.seed = from.seed;
+    // end of generated
+    return to;
 }
 
 DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options) {
     const pelagic_dynamic_waves_options from = read_struct(options, "dynamic_waves");
-    if (from.step < 0 || from.step > PELAGIC_DYNAMIC_WAVES_VERLET)
-        reject(invalid_value_message("dynamic_waves.step", from.step,
-                                     "PELAGIC_DYNAMIC_WAVES_SPECTRAL or PELAGIC_DYNAMIC_WAVES_VERLET"));
-    const DynamicWavesOptions ours{.step = static_cast<DynamicWavesStep>(from.step),
-                                   .resolution = from.resolution,
-                                   .side_m = from.side_m,
-                                   .ticks_per_s = from.ticks_per_s,
-                                   .border_m = from.border_m,
-                                   .depth_m = from.depth_m,
-                                   .viscosity_m2ps = from.viscosity_m2ps,
-                                   .wave_speed_mps = from.wave_speed_mps,
-                                   .decay_per_s = from.decay_per_s,
-                                   .foam_height_m = from.foam_height_m};
-    if (const std::string reason = check(ours); !reason.empty()) reject("dynamic_waves." + reason);
-    return ours;
+    DynamicWavesOptions to;
+    constexpr std::string_view prefix = "dynamic_waves.";
+    // generated from schema/dynamic_waves.toml: c-reads
+    to.step = enum_of<DynamicWavesStep>(from.step, prefix, "step", "one of PELAGIC_DYNAMIC_WAVES_...");
+    to.resolution = from.resolution;
+    to.side_m = from.side_m;
+    to.ticks_per_s = from.ticks_per_s;
+    to.border_m = from.border_m;
+    to.depth_m = from.depth_m;
+    to.viscosity_m2ps = from.viscosity_m2ps;
+    to.wave_speed_mps = from.wave_speed_mps;
+    to.decay_per_s = from.decay_per_s;
+    to.foam_height_m = from.foam_height_m;
+    // end of generated
+    if (const std::string reason = check(to); !reason.empty()) reject(std::string(prefix) + reason);
+    return to;
 }
 
 }  // namespace pelagic::capi

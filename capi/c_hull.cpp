@@ -61,25 +61,28 @@ void compute(pelagic_hull* hull, const pelagic_ocean* ocean, pelagic_hull_state*
 
 HullOptions hull_options_of(const pelagic_hull_options* pointer) {
     const pelagic_hull_options from = read_struct(pointer, "options");
-    HullOptions options{.mass_kg = from.mass_kg,
-                        .heave_damping = from.heave_damping,
-                        .roll_damping = from.roll_damping,
-                        .pressure_coefficient = from.pressure_coefficient,
-                        .suction_coefficient = from.suction_coefficient,
-                        .friction_coefficient = from.friction_coefficient,
-                        .air_coefficient = from.air_coefficient,
-                        .water_density_kgpm3 = from.water_density_kgpm3,
-                        .air_density_kgpm3 = from.air_density_kgpm3,
-                        .skeg_m2 = from.skeg_m2,
-                        .skeg_x_m = from.skeg_x_m,
-                        .skeg_y_m = from.skeg_y_m};
-    if (const double* at = from.centre_of_mass_m) options.centre_of_mass_m = glm::dvec3(at[0], at[1], at[2]);
-    if (const double* of = from.inertia_kgm2) options.inertia_kgm2 = glm::dvec3(of[0], of[1], of[2]);
+    HullOptions to;
+    // generated from schema/hull.toml: c-reads
+    to.mass_kg = from.mass_kg;
+    to.heave_damping = from.heave_damping;
+    to.roll_damping = from.roll_damping;
+    to.pressure_coefficient = from.pressure_coefficient;
+    to.suction_coefficient = from.suction_coefficient;
+    to.friction_coefficient = from.friction_coefficient;
+    to.air_coefficient = from.air_coefficient;
+    to.water_density_kgpm3 = from.water_density_kgpm3;
+    to.air_density_kgpm3 = from.air_density_kgpm3;
+    to.skeg_m2 = from.skeg_m2;
+    to.skeg_x_m = from.skeg_x_m;
+    to.skeg_y_m = from.skeg_y_m;
+    // end of generated
+    if (const double* at = from.centre_of_mass_m) to.centre_of_mass_m = glm::dvec3(at[0], at[1], at[2]);
+    if (const double* of = from.inertia_kgm2) to.inertia_kgm2 = glm::dvec3(of[0], of[1], of[2]);
     if (from.added_mass) {
-        HullMatrix& matrix = options.added_mass.emplace();
+        HullMatrix& matrix = to.added_mass.emplace();
         for (std::size_t row = 0; row < 6; ++row) std::copy_n(from.added_mass + 6 * row, 6, matrix[row].begin());
     }
-    return options;
+    return to;
 }
 
 HullState hull_state_of(const pelagic_hull_state* state, const char* name) {

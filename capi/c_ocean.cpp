@@ -260,7 +260,13 @@ OceanOptions ocean_options_of(const pelagic_ocean_options& options) {
 
 WaterFrame water_frame_of(const pelagic_water_frame* water) {
     const pelagic_water_frame from = read_struct(water, "water");
-    return {from.sea_level_m, from.current_x_mps, from.current_z_mps};
+    WaterFrame to;
+    // generated from schema/water_frame.toml: c-reads
+    to.sea_level_m = from.sea_level_m;
+    to.current_x_mps = from.current_x_mps;
+    to.current_z_mps = from.current_z_mps;
+    // end of generated
+    return to;
 }
 
 pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options) {

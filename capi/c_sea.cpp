@@ -8,46 +8,51 @@
 namespace pelagic::capi {
 namespace {
 
+// generated from schema/sea.toml: c-checks
+static_assert(PELAGIC_WAVES_SPECTRUM == static_cast<int>(WaveModel::spectrum));
+static_assert(PELAGIC_WAVES_ANALYTIC == static_cast<int>(WaveModel::analytic));
+static_assert(PELAGIC_WAVES_POND == static_cast<int>(WaveModel::pond));
 static_assert(PELAGIC_SPECTRUM_PHILLIPS_PAPER == static_cast<int>(SpectrumModel::phillips_paper));
 static_assert(PELAGIC_SPECTRUM_PHILLIPS == static_cast<int>(SpectrumModel::phillips));
 static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumModel::pierson_moskowitz));
 static_assert(PELAGIC_SPECTRUM_JONSWAP == static_cast<int>(SpectrumModel::jonswap));
-static_assert(PELAGIC_WAVES_SPECTRUM == static_cast<int>(WaveModel::spectrum));
-static_assert(PELAGIC_WAVES_ANALYTIC == static_cast<int>(WaveModel::analytic));
-static_assert(PELAGIC_WAVES_POND == static_cast<int>(WaveModel::pond));
 static_assert(PELAGIC_SPREADING_PAPER == static_cast<int>(SpreadingModel::paper));
 static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::cosine_2s));
 static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));
 static_assert(PELAGIC_SPREADING_DONELAN_BANNER == static_cast<int>(SpreadingModel::donelan_banner));
+// end of generated
 
 pelagic_sea c_sea_of(const SeaState& from) {
     pelagic_sea to{};
+    // generated from schema/sea.toml: c-writes
+    to.waves = static_cast<std::int32_t>(from.waves);
     to.spectrum = static_cast<std::int32_t>(from.spectrum);
+    to.spreading = static_cast<std::int32_t>(from.spreading);
+    to.cascades = from.cascades;
     to.resolution = from.resolution;
-    to.seed = from.seed;
     to.patch_size_m = from.patch_size_m;
     to.wind_speed_mps = from.wind_speed_mps;
     to.wind_direction_rad = from.wind_direction_rad;
     to.fetch_m = from.fetch_m;
+    to.peak_enhancement = from.peak_enhancement;
     to.depth_m = from.depth_m;
     to.choppiness = from.choppiness;
     to.roughness = from.roughness;
     to.short_wave_cutoff = from.short_wave_cutoff;
     to.wind_alignment = from.wind_alignment;
-    to.loop_period_s = from.loop_period_s;
-    to.spreading = static_cast<std::int32_t>(from.spreading);
     to.swell_height_m = from.swell_height_m;
     to.swell_period_s = from.swell_period_s;
     to.swell_direction_rad = from.swell_direction_rad;
     to.swell_spread_rad = from.swell_spread_rad;
-    to.cascades = from.cascades;
-    to.waves = static_cast<std::int32_t>(from.waves);
+    to.loop_period_s = from.loop_period_s;
+    to.seed = from.seed;
     to.wave_count = from.wave_count;
     to.longest_wave_m = from.longest_wave_m;
     to.shortest_wave_m = from.shortest_wave_m;
     to.wave_strength = from.wave_strength;
-    to.wave_height_m = from.wave_height_m > 0 ? from.wave_height_m : 0;
+    to.wave_height_m = from.wave_height_m == -1 ? 0 : from.wave_height_m;
     to.wave_drag = from.wave_drag;
+    // end of generated
     return to;
 }
 
@@ -61,33 +66,39 @@ std::string preset_names() {
 }  // namespace
 
 SeaState sea_of(const pelagic_sea* pointer) {
-    const pelagic_sea sea = read_struct(pointer, "sea");
-    return {.waves = static_cast<WaveModel>(sea.waves),
-            .spectrum = static_cast<SpectrumModel>(sea.spectrum),
-            .spreading = static_cast<SpreadingModel>(sea.spreading),
-            .cascades = sea.cascades,
-            .resolution = sea.resolution,
-            .patch_size_m = sea.patch_size_m,
-            .wind_speed_mps = sea.wind_speed_mps,
-            .wind_direction_rad = sea.wind_direction_rad,
-            .fetch_m = sea.fetch_m,
-            .depth_m = sea.depth_m,
-            .choppiness = sea.choppiness,
-            .roughness = sea.roughness,
-            .short_wave_cutoff = sea.short_wave_cutoff,
-            .wind_alignment = sea.wind_alignment,
-            .swell_height_m = sea.swell_height_m,
-            .swell_period_s = sea.swell_period_s,
-            .swell_direction_rad = sea.swell_direction_rad,
-            .swell_spread_rad = sea.swell_spread_rad,
-            .loop_period_s = sea.loop_period_s,
-            .seed = sea.seed,
-            .wave_count = sea.wave_count,
-            .longest_wave_m = sea.longest_wave_m,
-            .shortest_wave_m = sea.shortest_wave_m,
-            .wave_strength = sea.wave_strength,
-            .wave_height_m = sea.wave_height_m == 0 ? -1 : sea.wave_height_m,
-            .wave_drag = sea.wave_drag};
+    const pelagic_sea from = read_struct(pointer, "sea");
+    SeaState to;
+    constexpr std::string_view prefix = "";
+    // generated from schema/sea.toml: c-reads
+    to.waves = enum_of<WaveModel>(from.waves, prefix, "waves", "one of PELAGIC_WAVES_...");
+    to.spectrum = enum_of<SpectrumModel>(from.spectrum, prefix, "spectrum", "one of PELAGIC_SPECTRUM_...");
+    to.spreading = enum_of<SpreadingModel>(from.spreading, prefix, "spreading", "one of PELAGIC_SPREADING_...");
+    to.cascades = from.cascades;
+    to.resolution = from.resolution;
+    to.patch_size_m = from.patch_size_m;
+    to.wind_speed_mps = from.wind_speed_mps;
+    to.wind_direction_rad = from.wind_direction_rad;
+    to.fetch_m = from.fetch_m;
+    to.peak_enhancement = from.peak_enhancement;
+    to.depth_m = from.depth_m;
+    to.choppiness = from.choppiness;
+    to.roughness = from.roughness;
+    to.short_wave_cutoff = from.short_wave_cutoff;
+    to.wind_alignment = from.wind_alignment;
+    to.swell_height_m = from.swell_height_m;
+    to.swell_period_s = from.swell_period_s;
+    to.swell_direction_rad = from.swell_direction_rad;
+    to.swell_spread_rad = from.swell_spread_rad;
+    to.loop_period_s = from.loop_period_s;
+    to.seed = from.seed;
+    to.wave_count = from.wave_count;
+    to.longest_wave_m = from.longest_wave_m;
+    to.shortest_wave_m = from.shortest_wave_m;
+    to.wave_strength = from.wave_strength;
+    to.wave_height_m = from.wave_height_m == 0 ? -1 : from.wave_height_m;
+    to.wave_drag = from.wave_drag;
+    // end of generated
+    return to;
 }
 
 }  // namespace pelagic::capi

@@ -19,23 +19,26 @@ const ShoreSurface& shown_shore(const pelagic_ocean& ocean) {
 
 ShoreOptions shore_options_of(const pelagic_shore_options* options) {
     const pelagic_shore_options from = read_struct(options, "shore");
-    ShoreOptions ours{.columns = from.columns,
-                      .rows = from.rows,
-                      .corner_x_m = from.corner_x_m,
-                      .corner_z_m = from.corner_z_m,
-                      .metres_per_sample = from.metres_per_sample,
-                      .resolution = from.resolution,
-                      .fade_m = from.fade_m,
-                      .swash_m = from.swash_m == 0 ? -1 : from.swash_m};
+    ShoreOptions to;
+    // generated from schema/shore.toml: c-reads
+    to.columns = from.columns;
+    to.rows = from.rows;
+    to.corner_x_m = from.corner_x_m;
+    to.corner_z_m = from.corner_z_m;
+    to.metres_per_sample = from.metres_per_sample;
+    to.resolution = from.resolution;
+    to.fade_m = from.fade_m;
+    to.swash_m = from.swash_m == 0 ? -1 : from.swash_m;
+    // end of generated
     // Read heights only if the counts are valid.
     constexpr int max = ShoreOptions::max_samples_per_side;
     if (from.columns >= 2 && from.columns <= max && from.rows >= 2 && from.rows <= max) {
         const float* const heights = &needed(from.heights_m, "shore.heights_m");
-        ours.heights_m.assign(heights,
+        to.heights_m.assign(heights,
                               heights + static_cast<std::size_t>(from.columns) * static_cast<std::size_t>(from.rows));
     }
-    if (const std::string reason = check(ours); !reason.empty()) reject("shore." + reason);
-    return ours;
+    if (const std::string reason = check(to); !reason.empty()) reject("shore." + reason);
+    return to;
 }
 
 }  // namespace pelagic::capi

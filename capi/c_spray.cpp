@@ -34,25 +34,34 @@ void write_members(std::span<const SprayDroplet> droplets, Member SprayDroplet::
 }  // namespace
 
 SprayEmitter emitter_of(const pelagic_spray_emitter& from) {
-    return {.time_s = from.time_s,
-            .x_m = from.x_m,
-            .y_m = from.y_m,
-            .z_m = from.z_m,
-            .extent_m = from.extent_m,
-            .velocity_x_mps = from.velocity_x_mps,
-            .velocity_y_mps = from.velocity_y_mps,
-            .velocity_z_mps = from.velocity_z_mps,
-            .spread_mps = from.spread_mps,
-            .radius_m = from.radius_m,
-            .drop_mm = from.drop_mm,
-            .count = from.count};
+    SprayEmitter to;
+    // generated from schema/spray_emitter.toml: c-reads
+    to.time_s = from.time_s;
+    to.x_m = from.x_m;
+    to.y_m = from.y_m;
+    to.z_m = from.z_m;
+    to.extent_m = from.extent_m;
+    to.velocity_x_mps = from.velocity_x_mps;
+    to.velocity_y_mps = from.velocity_y_mps;
+    to.velocity_z_mps = from.velocity_z_mps;
+    to.spread_mps = from.spread_mps;
+    to.radius_m = from.radius_m;
+    to.drop_mm = from.drop_mm;
+    to.count = from.count;
+    // end of generated
+    return to;
 }
 
 SprayOptions spray_options_of(const pelagic_spray_options* options) {
     const pelagic_spray_options from = read_struct(options, "spray");
-    const SprayOptions ours{.reach_m = from.reach_m, .amount = from.amount, .seed = from.seed};
-    if (const std::string reason = check(ours); !reason.empty()) reject("spray." + reason);
-    return ours;
+    SprayOptions to;
+    // generated from schema/spray_options.toml: c-reads
+    to.reach_m = from.reach_m;
+    to.amount = from.amount;
+    to.seed = from.seed;
+    // end of generated
+    if (const std::string reason = check(to); !reason.empty()) reject("spray." + reason);
+    return to;
 }
 
 }  // namespace pelagic::capi

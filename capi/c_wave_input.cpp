@@ -55,12 +55,16 @@ AnalyticSea waves_of(const pelagic_waves* pointer) {
 
 Ripple ripple_of(const pelagic_ripple* pointer) {
     const pelagic_ripple from = read_struct(pointer, "ripple");
-    return {.x_m = from.x_m,
-            .z_m = from.z_m,
-            .wavelength_m = from.wavelength_m,
-            .amplitude_m = from.amplitude_m,
-            .reach_m = from.reach_m,
-            .phase_rad = from.phase_rad};
+    Ripple to;
+    // generated from schema/ripple.toml: c-reads
+    to.x_m = from.x_m;
+    to.z_m = from.z_m;
+    to.wavelength_m = from.wavelength_m;
+    to.amplitude_m = from.amplitude_m;
+    to.reach_m = from.reach_m;
+    to.phase_rad = from.phase_rad;
+    // end of generated
+    return to;
 }
 
 std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, std::size_t count) {

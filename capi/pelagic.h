@@ -141,88 +141,125 @@ PELAGIC_API void pelagic_set_error_callback(pelagic_error_callback callback, voi
 
 /* ---- The sea --------------------------------------------------------------------------------- */
 
+/* generated from schema/sea.toml: c-enumerations */
 enum {
+    PELAGIC_WAVES_SPECTRUM = 0,
+    PELAGIC_WAVES_ANALYTIC = 1,
+    PELAGIC_WAVES_POND = 2
+};
+
+enum {
+    /* Scaled as in VR Ocean, without a swell. */
     PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0,
+    /* Phillips' shape with a physical height. */
     PELAGIC_SPECTRUM_PHILLIPS = 1,
+    /* A fully developed sea; no fetch. */
     PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2,
+    /* A sea that grows with the fetch. */
     PELAGIC_SPECTRUM_JONSWAP = 3
 };
 
-enum { PELAGIC_WAVES_SPECTRUM = 0, PELAGIC_WAVES_ANALYTIC = 1, PELAGIC_WAVES_POND = 2 };
-
 enum {
+    /* VR Ocean, by wind_alignment. */
     PELAGIC_SPREADING_PAPER = 0,
+    /* Measured, Longuet-Higgins et al. 1963. */
     PELAGIC_SPREADING_COSINE_2S = 1,
+    /* Measured, Hasselmann et al. 1980. */
     PELAGIC_SPREADING_HASSELMANN = 2,
+    /* Measured, Donelan et al. 1985 and Banner 1990. */
     PELAGIC_SPREADING_DONELAN_BANNER = 3
 };
+/* end of generated */
 
 /* A sea state. Equal values and the same version of Pelagic give bit-identical seas on all
  * machines. */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    /* Wave model, PELAGIC_WAVES_... A pond has one cascade. Only a spectrum uses spectrum,
-     * spreading, fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed; only the
-     * other models use wave_count and the fields from longest_wave_m on. */
+    /* generated from schema/sea.toml: c-members */
+    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m,
+     * short_wave_cutoff, wind_alignment, the swell and seed. Only the other models use wave_count
+     * and the options after it. All models use the wind, whose direction is that of their waves. */
     int32_t waves;
-    int32_t spectrum;  /* PELAGIC_SPECTRUM_... */
-    int32_t spreading; /* PELAGIC_SPREADING_...; phillips-paper accepts only the paper's */
-    /* Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if patch_size_m is
-     * set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
-     * patch_size_m. */
+    int32_t spectrum; /* PELAGIC_SPECTRUM_...; wave spectrum */
+    /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper accepts only paper. */
+    int32_t spreading;
+    /* Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m
+     * is set, the resolution is 16 or the model has only one. More than one excludes patch_size_m. */
     int32_t cascades;
-    /* N, texels along a side of a cascade; a power of two, 16 to 2048. 0: 128, or 256 if
+    /* N, texels along a side of each cascade; a power of two from 16 to 2048. 0: 128, or 256 if
      * patch_size_m is set. */
     int32_t resolution;
-    uint32_t seed;      /* seed of the random phases and amplitudes */
-    int32_t wave_count; /* number of analytic waves (0: 16) or pond octaves (0: 24); 1 to 64 */
-    /* Side of the only cascade; [0.001, 1e6]. 0: sides derived from the sea. */
+    uint32_t seed; /* seed of the random phases and amplitudes */
+    /* Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves. */
+    int32_t wave_count;
+    /* L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived
+     * from the sea. */
     double patch_size_m;
-    double wind_speed_mps;     /* U10, mean wind speed 10 m above the sea; (0, 60] */
-    double wind_direction_rad; /* direction the wind blows towards, from +x to +z; [-2 pi, 2 pi] */
+    double wind_speed_mps; /* U10, mean wind speed 10 m above the sea; (0, 60] */
+    /* Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi]. */
+    double wind_direction_rad;
     /* Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
      * an effect; (0, 2e6]. */
     double fetch_m;
-    double depth_m;    /* depth of the water; waves higher than 0.6 of it break; [0.01, 11000] */
-    double choppiness; /* scale of horizontal displacements; 0: a height field; [0, 1] */
-    /* GGX roughness of the waves that texels do not resolve, for the smoothness channel; [0, 1], or
-     * -1: derived from the wind. */
+    /* Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
+     * [1, 10]. */
+    double peak_enhancement;
+    /* Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6
+     * of it break. */
+    double depth_m;
+    /* Scale of horizontal displacements; [0, 1]. 0 gives a height field. */
+    double choppiness;
+    /* GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
+     * that the cascades do not resolve in this wind. */
     double roughness;
-    /* 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength; [0, 1] */
+    /* 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength; [0, 1]. */
     double short_wave_cutoff;
-    /* With 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
+    /* Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1].
+     * With 0 a third of the energy runs against the wind and little across it; with 1 a hundredth
+     * runs against it. */
     double wind_alignment;
-    /* T, the period after which the sea repeats exactly; [0.1, 86400]. */
-    double loop_period_s;
-    double swell_height_m;      /* significant wave height of the swell; 0: no swell; [0, 30] */
-    double swell_period_s;      /* peak period of the swell; [1, 40] */
-    double swell_direction_rad; /* direction the swell runs towards, as wind_direction_rad */
-    /* Standard deviation of its directions; [pi/180, 4 pi/9]. */
+    /* Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no
+     * swell. */
+    double swell_height_m;
+    double swell_period_s; /* peak period of the swell; [1, 40] */
+    /* Direction that the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi]. */
+    double swell_direction_rad;
+    /* Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default. */
     double swell_spread_rad;
-    double longest_wave_m;  /* longest wavelength; [0.02, 1000]. 0: 120, of a pond 1.2 */
-    double shortest_wave_m; /* shortest wavelength; [0.01, 1000]. 0: longest / 60, of a pond / 45 */
-    double wave_strength;   /* 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2] */
-    double wave_height_m;   /* significant wave height; (0, 30]. 0: derived from wave_strength */
-    double wave_drag;       /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
+    double loop_period_s; /* T, the period after which the sea repeats exactly; [0.1, 86400] */
+    /* Longest wavelength of an analytic sea or a pond; [0.02, 1000]. 0: 120, of a pond 1.2. */
+    double longest_wave_m;
+    /* Shortest wavelength, at most the longest; [0.01, 1000]. 0: the longest / 60, of a pond / 45. */
+    double shortest_wave_m;
+    /* Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2]. */
+    double wave_strength;
+    /* Significant wave height of an analytic sea or a pond; [0, 30]. 0: from wave_strength, of a
+     * pond 0.017 longest_wave_m. Of a pond it is above 0. */
+    double wave_height_m;
+    double wave_drag; /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
+    /* end of generated */
 } pelagic_sea;
 
+/* generated from schema/sea.toml: c-make */
 static inline pelagic_sea pelagic_sea_make(void) {
     PELAGIC_ZEROS(pelagic_sea, sea);
     sea.spectrum = PELAGIC_SPECTRUM_JONSWAP;
     sea.seed = 1;
     sea.wind_speed_mps = 12;
     sea.fetch_m = 100e3;
+    sea.peak_enhancement = 3.3;
     sea.depth_m = 4000;
     sea.choppiness = 0.8;
     sea.roughness = -1;
     sea.wind_alignment = 0.5;
-    sea.loop_period_s = 200;
     sea.swell_period_s = 12;
-    sea.swell_spread_rad = 0.26179938779914943; /* 15 degrees */
+    sea.swell_spread_rad = 0.26179938779914943;
+    sea.loop_period_s = 200;
     sea.wave_strength = 1;
     sea.wave_drag = 0.38;
     return sea;
 }
+/* end of generated */
 
 /* Sets every field but struct_size to those of a preset.
  *
@@ -457,11 +494,19 @@ PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
  * world. */
 typedef struct pelagic_water_frame {
     uint32_t struct_size;
-    double sea_level_m;                  /* [-1000, 1000] */
-    double current_x_mps, current_z_mps; /* [-10, 10] */
+    /* generated from schema/water_frame.toml: c-members */
+    double sea_level_m;   /* height of still water; [-1000, 1000] */
+    double current_x_mps; /* velocity of the water along x; [-10, 10] */
+    double current_z_mps; /* velocity of the water along z; [-10, 10] */
+    /* end of generated */
 } pelagic_water_frame;
 
-static inline pelagic_water_frame pelagic_water_frame_make(void) { PELAGIC_RETURN_ZEROS(pelagic_water_frame); }
+/* generated from schema/water_frame.toml: c-make */
+static inline pelagic_water_frame pelagic_water_frame_make(void) {
+    PELAGIC_ZEROS(pelagic_water_frame, frame);
+    return frame;
+}
+/* end of generated */
 
 /* Sets the sea level and the current of frames that are scheduled from now on, and the current of
  * the ocean's dynamic waves. All are 0 at first. The current has flowed since t = 0: to change it
@@ -834,33 +879,41 @@ PELAGIC_API pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, c
 
 /* ---- Dynamic waves --------------------------------------------------------------------------- */
 
+/* generated from schema/dynamic_waves.toml: c-enumerations */
 enum {
-    /* Advances each wave by its own phase: wakes by the dispersion of deep or shallow water. */
+    /* Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at
+     * any length of a tick; wakes have Kelvin's angle. */
     PELAGIC_DYNAMIC_WAVES_SPECTRAL = 0,
-    /* One speed for all waves, for ponds and rings; (speed / (ticks_per_s texel))^2 <= 0.4. */
+    /* H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4: one
+     * speed for all waves, for ponds and rings. */
     PELAGIC_DYNAMIC_WAVES_VERLET = 1
 };
+/* end of generated */
 
 /* Frames, bounds and queries of an ocean include its dynamic waves. The waves advance in ticks of a
  * fixed length. Equal commands between frames of equal times give bit-identical waves on every
  * machine. */
 typedef struct pelagic_dynamic_waves_options {
     uint32_t struct_size;
-    int32_t step;        /* PELAGIC_DYNAMIC_WAVES_... */
+    /* generated from schema/dynamic_waves.toml: c-members */
+    int32_t step;        /* PELAGIC_DYNAMIC_WAVES_...; how a tick advances the waves */
     int32_t resolution;  /* N, texels along a side; 64, 128, 256, 512 or 1024 */
-    int32_t ticks_per_s; /* [10, 240] */
+    int32_t ticks_per_s; /* ticks of the simulation a second; [10, 240] */
     double side_m;       /* side of the grid; [1, 10000] */
-    /* Width of the absorbing border along each side, [0.001, side_m / 4]; 0: no border, and waves
+    /* Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves
      * wrap around. */
     double border_m;
-    double depth_m; /* spectral; [0.01, 11000] */
-    /* Spectral: eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2; [0, 1] */
+    double depth_m; /* depth of the water (spectral); [0.01, 11000] */
+    /* Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1]. */
     double viscosity_m2ps;
-    double wave_speed_mps; /* Verlet; (0, 1000] */
-    double decay_per_s;    /* damping rate of amplitudes; [0, 10] */
-    double foam_height_m;  /* height above which foam begins; [0.001, 100] */
+    /* Speed of all waves, with (speed / (ticks_per_s texel))^2 at most 0.4 (verlet); (0, 1000]. */
+    double wave_speed_mps;
+    double decay_per_s;   /* decay rate of amplitudes; [0, 10] */
+    double foam_height_m; /* foam begins above this height and is full at twice it; [0.001, 100] */
+    /* end of generated */
 } pelagic_dynamic_waves_options;
 
+/* generated from schema/dynamic_waves.toml: c-make */
 static inline pelagic_dynamic_waves_options pelagic_dynamic_waves_options_make(void) {
     PELAGIC_ZEROS(pelagic_dynamic_waves_options, options);
     options.resolution = 256;
@@ -874,42 +927,52 @@ static inline pelagic_dynamic_waves_options pelagic_dynamic_waves_options_make(v
     options.foam_height_m = 0.2;
     return options;
 }
+/* end of generated */
 
+/* generated from schema/disturbance.toml: c-enumerations */
 enum {
-    /* height_m exp(-(r / radius_m)^2) */
+    /* height_m exp(-(r / radius_m)^2), cut off at 3 radii. */
     PELAGIC_SHAPE_GAUSS = 0,
-    /* height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2); height_m of a floating hull
-     * is below 0 */
+    /* height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2) within that ellipse; height_m
+     * of a floating hull is below 0. */
     PELAGIC_SHAPE_HULL = 1
 };
 
 enum {
-    /* A pressure equal to the weight of the shape's water: at rest the surface becomes the
-     * shape. */
+    /* A pressure, or suction, equal to the weight of the shape's water: at rest the surface becomes
+     * the shape and stays so, and a moving one leaves the waves of a moving pressure (Havelock
+     * 1908). The volume of the water is constant. */
     PELAGIC_DISTURBANCE_PRESSURE = 0,
-    /* The surface approaches the shape at a rate, so the bulge is bounded. */
+    /* The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the
+     * difference, times the shape over its height. The bulge is bounded, and its volume is added to
+     * the water. */
     PELAGIC_DISTURBANCE_RELAXATION = 1,
     /* The shape is added to the surface at once: a drop, a stone. */
     PELAGIC_DISTURBANCE_IMPULSE = 2,
-    /* Adds the foam of waves as high as the shape, and no waves: water that a hull breaks. */
+    /* Adds the foam that waves as high as the shape have, and no waves: water that a hull or a
+     * propeller breaks. */
     PELAGIC_DISTURBANCE_FOAM = 3
 };
+/* end of generated */
 
 /* A disturbance of the water: an impulse, or a source that acts in every tick. */
 typedef struct pelagic_disturbance {
     uint32_t struct_size;
-    int32_t shape;      /* PELAGIC_SHAPE_... */
-    int32_t mode;       /* PELAGIC_DISTURBANCE_... */
-    double x_m, z_m;    /* position in the world; [-1e8, 1e8] */
-    double radius_m;    /* of a hull half its beam; [0.001, 1000] */
-    double length_m;    /* of a hull half its length; [0.001, 1000] */
-    double heading_rad; /* direction of a hull's length, from +x to +z; [-2 pi, 2 pi] */
-    double height_m;    /* [-100, 100] */
-    double rate_per_s;  /* of a relaxation; (0, 1000] */
-    /* Velocity of a source until the next set_source; [-1000, 1000] */
+    /* generated from schema/disturbance.toml: c-members */
+    int32_t shape;      /* PELAGIC_SHAPE_...; shape */
+    int32_t mode;       /* PELAGIC_DISTURBANCE_...; what the shape does to the water */
+    double x_m, z_m;    /* initial position in the world; [-1e8, 1e8] */
+    double radius_m;    /* radius, of a hull half its beam; [0.001, 1000] */
+    double length_m;    /* half the length of a hull; [0.001, 1000] */
+    double heading_rad; /* direction of a hull's length, from +x towards +z; [-2 pi, 2 pi] */
+    double height_m;    /* height of the shape, below 0 for a floating hull; [-100, 100] */
+    double rate_per_s;  /* rate of a relaxation; (0, 1000] */
+    /* Velocity of a source until it is replaced; [-1000, 1000]. */
     double velocity_x_mps, velocity_z_mps;
+    /* end of generated */
 } pelagic_disturbance;
 
+/* generated from schema/disturbance.toml: c-make */
 static inline pelagic_disturbance pelagic_disturbance_make(void) {
     PELAGIC_ZEROS(pelagic_disturbance, disturbance);
     disturbance.radius_m = 1;
@@ -917,6 +980,7 @@ static inline pelagic_disturbance pelagic_disturbance_make(void) {
     disturbance.rate_per_s = 10;
     return disturbance;
 }
+/* end of generated */
 
 /* Dynamic waves: wakes, ripples and splashes on a grid around a point that the application sets.
  * Commands are add_impulse, add_source, set_source, remove_source, set_center and set_rain. They
@@ -1018,14 +1082,19 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_set_current(pelagic_dynamic_wav
  * world. */
 typedef struct pelagic_rain {
     uint32_t struct_size;
-    uint32_t seed;
-    /* Mean number of drops; at most the value that puts 16 on a texel in a tick. 0: no rain. */
+    /* generated from schema/rain.toml: c-members */
+    uint32_t seed; /* seed of the drops */
+    /* Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number.
+     * 0: no rain. */
     double drops_per_m2_s;
-    /* [0.001, side_m / 16]; a crater narrower than a texel is drawn a texel wide, and flatter. */
+    /* Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel
+     * is a texel wide on the grid, flatter and with equal volume. */
     double radius_m;
     double height_m; /* depth of a crater; [-10, 10] */
+    /* end of generated */
 } pelagic_rain;
 
+/* generated from schema/rain.toml: c-make */
 static inline pelagic_rain pelagic_rain_make(void) {
     PELAGIC_ZEROS(pelagic_rain, rain);
     rain.seed = 1;
@@ -1033,6 +1102,7 @@ static inline pelagic_rain pelagic_rain_make(void) {
     rain.height_m = 0.02;
     return rain;
 }
+/* end of generated */
 
 /* Sets the rain from the next tick on. Saved states include it.
  *
@@ -1108,11 +1178,14 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_w
  * centre, on every machine. Those of emitters are state, which can be saved. */
 typedef struct pelagic_spray_options {
     uint32_t struct_size;
-    uint32_t seed;
+    /* generated from schema/spray_options.toml: c-members */
+    uint32_t seed;  /* seed of the droplets */
     double reach_m; /* spray leaves crests within this distance of the centre; [10, 200] */
     double amount;  /* factor on the number of droplets of crests; [0, 10] */
+    /* end of generated */
 } pelagic_spray_options;
 
+/* generated from schema/spray_options.toml: c-make */
 static inline pelagic_spray_options pelagic_spray_options_make(void) {
     PELAGIC_ZEROS(pelagic_spray_options, options);
     options.seed = 1;
@@ -1120,20 +1193,24 @@ static inline pelagic_spray_options pelagic_spray_options_make(void) {
     options.amount = 1;
     return options;
 }
+/* end of generated */
 
 /* Droplets that leave a ball at once, for instance at the bow of a ship; in the world. */
 typedef struct pelagic_spray_emitter {
     uint32_t struct_size;
-    int32_t count;        /* droplets; [0, 8192] */
-    double time_s;        /* at which they leave; [-1e9, 1e9] */
-    double x_m, y_m, z_m; /* centre of the ball; [-1e8, 1e8] */
-    double extent_m;      /* radius of the ball; [0, 100] */
+    /* generated from schema/spray_emitter.toml: c-members */
+    int32_t count;                                         /* number of droplets; [0, 8192] */
+    double time_s;                                         /* time at which they leave; [-1e9, 1e9] */
+    double x_m, y_m, z_m;                                  /* centre of the ball; [-1e8, 1e8] */
+    double extent_m;                                       /* radius of the ball; [0, 100] */
     double velocity_x_mps, velocity_y_mps, velocity_z_mps; /* mean velocity; [-100, 100] */
-    double spread_mps; /* largest deviation from the mean velocity; [0, 100] */
-    double radius_m;   /* of a droplet as it leaves; [0.001, 1] */
-    double drop_mm;    /* diameter of drops, which sets the drag; [0.1, 5] */
+    double spread_mps;                                     /* largest deviation from the mean velocity; [0, 100] */
+    double radius_m;                                       /* radius of a droplet as it leaves; [0.001, 1] */
+    double drop_mm;                                        /* diameter of drops, which sets the drag; [0.1, 5] */
+    /* end of generated */
 } pelagic_spray_emitter;
 
+/* generated from schema/spray_emitter.toml: c-make */
 static inline pelagic_spray_emitter pelagic_spray_emitter_make(void) {
     PELAGIC_ZEROS(pelagic_spray_emitter, emitter);
     emitter.count = 1;
@@ -1141,6 +1218,7 @@ static inline pelagic_spray_emitter pelagic_spray_emitter_make(void) {
     emitter.drop_mm = 1;
     return emitter;
 }
+/* end of generated */
 
 /* Sets the centre of the spray of crests, usually the camera, in the world. It takes effect at the
  * next schedule, for the ticks computed from then on. It is the origin at first.
@@ -1226,26 +1304,35 @@ PELAGIC_API pelagic_status pelagic_ocean_restore_spray(pelagic_ocean* ocean, con
  * cannot change. */
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
-    int32_t columns, rows; /* samples of the floor along x and z; 2 to 4096 */
-    /* Texels along the longer side of the result; 64, 128, 256, 512 or 1024. */
+    /* generated from schema/shore.toml: c-members */
+    int32_t columns; /* samples of the floor along x; 2 to 4096 */
+    int32_t rows;    /* samples of the floor along z; 2 to 4096 */
+    /* Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024. */
     int32_t resolution;
+    double corner_x_m, corner_z_m; /* position of the first sample; [-1e8, 1e8] */
+    double metres_per_sample;      /* distance of neighbouring samples; [0.001, 10000] */
+    /* Width of the strip along the edges over which the coarsest cascade fades into waves over the
+     * floor; [0, half the field's shorter side]. 0: an eighth of the shorter side. */
+    double fade_m;
+    /* Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0:
+     * the height that 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant
+     * wave height and peak period and the median slope at the waterline. Waves in the water do not
+     * depend on it. */
+    double swash_m;
+    /* end of generated */
     /* columns * rows heights above the rest level, [-11000, 9000]; sample (i, j) is element
      * j * columns + i. Read before the call returns. */
     const float* heights_m;
-    double corner_x_m, corner_z_m; /* position of sample (0, 0); [-1e8, 1e8] */
-    double metres_per_sample;        /* distance of neighbouring samples; [0.001, 10000] */
-    /* Width of the strip along the edges over which the coarsest cascade fades; at most half of the
-     * shorter side. 0: an eighth of it. */
-    double fade_m;
-    double swash_m; /* maximum height that waves reach on dry sand; (0, 10]; 0: from sea and slope */
 } pelagic_shore_options;
 
+/* generated from schema/shore.toml: c-make */
 static inline pelagic_shore_options pelagic_shore_options_make(void) {
     PELAGIC_ZEROS(pelagic_shore_options, options);
     options.resolution = 256;
     options.metres_per_sample = 1;
     return options;
 }
+/* end of generated */
 
 /* The waves at a shore. At a drawn position in the rectangle, each cascade is multiplied by its
  * weight there and height_m is added to the sum. Texel (i, j) has the position x_m + i texel_m,
@@ -1332,20 +1419,25 @@ PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const p
  *   amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase). */
 typedef struct pelagic_ripple {
     uint32_t struct_size;
+    /* generated from schema/ripple.toml: c-members */
     double x_m, z_m;     /* centre; [-1e8, 1e8] */
-    double wavelength_m; /* [0.01, 1000] */
-    double amplitude_m;  /* at the centre; [0, 100], and at most wavelength_m / (2 pi) */
-    /* Radius beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
+    double wavelength_m; /* wavelength; [0.01, 1000] */
+    /* Amplitude at the centre, at most wavelength_m / (2 pi), a slope of 1; [0, 100]. */
+    double amplitude_m;
+    /* Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
      * half of that side. */
     double reach_m;
-    double phase_rad; /* [-2 pi, 2 pi] */
+    double phase_rad; /* phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi] */
+    /* end of generated */
 } pelagic_ripple;
 
+/* generated from schema/ripple.toml: c-make */
 static inline pelagic_ripple pelagic_ripple_make(void) {
     PELAGIC_ZEROS(pelagic_ripple, ripple);
     ripple.wavelength_m = 1;
     return ripple;
 }
+/* end of generated */
 
 /* Creates an input of rings.
  *
@@ -1513,7 +1605,24 @@ static inline pelagic_hull_mesh pelagic_hull_mesh_make(void) { PELAGIC_RETURN_ZE
 
 typedef struct pelagic_hull_options {
     uint32_t struct_size;
-    double mass_kg; /* [1e-6, 1e10] */
+    /* generated from schema/hull.toml: c-members */
+    double mass_kg;              /* mass, which has no default; [1e-6, 1e10] */
+    double heave_damping;        /* fraction of critical damping, of pitch too; [0, 0.999] */
+    double roll_damping;         /* fraction of critical damping of roll at |GM|; [0, 0.999] */
+    double pressure_coefficient; /* drag of advancing faces; [0, 10] */
+    /* Drag of retreating faces; with pressure_coefficient 0.7 the drag is that of a cube, 1.05
+     * (Hoerner 1965); [0, 10]. */
+    double suction_coefficient;
+    /* Friction along faces; ITTC 1957 at a Reynolds number of 3e6; [0, 1]. */
+    double friction_coefficient;
+    double air_coefficient;     /* drag of faces above the water; [0, 10] */
+    double water_density_kgpm3; /* density of the water; [500, 2000] */
+    double air_density_kgpm3;   /* density of the air; [0, 10] */
+    /* Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull
+     * under thrust; [0, 1e4]. 0: none. */
+    double skeg_m2;
+    double skeg_x_m, skeg_y_m; /* middle of the skeg in the axes of the mesh; [-1000, 1000] */
+    /* end of generated */
     /* Three coordinates in the axes of the mesh; NULL: the centre of its volume. */
     const double* centre_of_mass_m;
     /* Three moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; NULL:
@@ -1523,20 +1632,9 @@ typedef struct pelagic_hull_options {
      * surge, heave, sway (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL:
      * derived from the sizes of waterline and draught. */
     const double* added_mass;
-    double heave_damping;        /* fraction of critical damping, of pitch too; [0, 0.999] */
-    double roll_damping;         /* fraction of critical damping; [0, 0.999] */
-    double pressure_coefficient; /* drag of advancing faces; [0, 10] */
-    double suction_coefficient;  /* drag of retreating faces; [0, 10] */
-    double friction_coefficient; /* [0, 1] */
-    double air_coefficient;      /* drag of faces above the water; [0, 10] */
-    double water_density_kgpm3;  /* [500, 2000] */
-    double air_density_kgpm3;    /* [0, 10] */
-    /* Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull under
-     * thrust; [0, 1e4]. 0: none. */
-    double skeg_m2;
-    double skeg_x_m, skeg_y_m; /* its middle in the axes of the mesh; [-1000, 1000] */
 } pelagic_hull_options;
 
+/* generated from schema/hull.toml: c-make */
 static inline pelagic_hull_options pelagic_hull_options_make(void) {
     PELAGIC_ZEROS(pelagic_hull_options, options);
     options.heave_damping = 0.2;
@@ -1549,6 +1647,7 @@ static inline pelagic_hull_options pelagic_hull_options_make(void) {
     options.air_density_kgpm3 = 1.225;
     return options;
 }
+/* end of generated */
 
 /* The mesh, mass and coefficients of hulls of one kind. */
 typedef struct pelagic_hull pelagic_hull;

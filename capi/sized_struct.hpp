@@ -7,8 +7,11 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 #include "pelagic/capi/c_status.hpp"
+#include "pelagic/message/enum_names.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/pelagic.h"
 
 namespace pelagic::capi {
@@ -36,6 +39,14 @@ T read_struct(const T* pointer, const char* name) {
     if (std::any_of(all + sizeof(T), all + bytes, [](unsigned char byte) { return byte != 0; }))
         reject(std::string(name) + " sets fields of a later version, expected 0 there");
     return *pointer;
+}
+
+/// Returns the value of an enumeration. Throws std::invalid_argument for a number that it does not have.
+template <NamedEnum Enum>
+Enum enum_of(std::int32_t value, std::string_view prefix, std::string_view name, std::string_view accepted) {
+    if (value < 0 || static_cast<std::size_t>(value) >= names_of<Enum>().size())
+        reject(invalid_value_message(std::string(prefix) + std::string(name), value, accepted));
+    return static_cast<Enum>(value);
 }
 
 /// Calls read(struct, name) for each struct of an array, in order. All have the struct_size of the

@@ -12,13 +12,13 @@ PELAGIC_OUT_OF_MEMORY = 3
 PELAGIC_SYSTEM_ERROR = 4
 PELAGIC_INTERNAL_ERROR = 5
 PELAGIC_APPLICATION_ERROR = 6
+PELAGIC_WAVES_SPECTRUM = 0
+PELAGIC_WAVES_ANALYTIC = 1
+PELAGIC_WAVES_POND = 2
 PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0
 PELAGIC_SPECTRUM_PHILLIPS = 1
 PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2
 PELAGIC_SPECTRUM_JONSWAP = 3
-PELAGIC_WAVES_SPECTRUM = 0
-PELAGIC_WAVES_ANALYTIC = 1
-PELAGIC_WAVES_POND = 2
 PELAGIC_SPREADING_PAPER = 0
 PELAGIC_SPREADING_COSINE_2S = 1
 PELAGIC_SPREADING_HASSELMANN = 2
@@ -57,16 +57,17 @@ class pelagic_sea(ctypes.Structure):
         ("wind_speed_mps", c_double),
         ("wind_direction_rad", c_double),
         ("fetch_m", c_double),
+        ("peak_enhancement", c_double),
         ("depth_m", c_double),
         ("choppiness", c_double),
         ("roughness", c_double),
         ("short_wave_cutoff", c_double),
         ("wind_alignment", c_double),
-        ("loop_period_s", c_double),
         ("swell_height_m", c_double),
         ("swell_period_s", c_double),
         ("swell_direction_rad", c_double),
         ("swell_spread_rad", c_double),
+        ("loop_period_s", c_double),
         ("longest_wave_m", c_double),
         ("shortest_wave_m", c_double),
         ("wave_strength", c_double),
@@ -404,12 +405,12 @@ class pelagic_shore_options(ctypes.Structure):
         ("columns", c_int32),
         ("rows", c_int32),
         ("resolution", c_int32),
-        ("heights_m", POINTER(c_float)),
         ("corner_x_m", c_double),
         ("corner_z_m", c_double),
         ("metres_per_sample", c_double),
         ("fade_m", c_double),
         ("swash_m", c_double),
+        ("heights_m", POINTER(c_float)),
     ]
 
 
@@ -549,9 +550,6 @@ class pelagic_hull_options(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
         ("mass_kg", c_double),
-        ("centre_of_mass_m", POINTER(c_double)),
-        ("inertia_kgm2", POINTER(c_double)),
-        ("added_mass", POINTER(c_double)),
         ("heave_damping", c_double),
         ("roll_damping", c_double),
         ("pressure_coefficient", c_double),
@@ -563,6 +561,9 @@ class pelagic_hull_options(ctypes.Structure):
         ("skeg_m2", c_double),
         ("skeg_x_m", c_double),
         ("skeg_y_m", c_double),
+        ("centre_of_mass_m", POINTER(c_double)),
+        ("inertia_kgm2", POINTER(c_double)),
+        ("added_mass", POINTER(c_double)),
     ]
 
 
@@ -688,13 +689,14 @@ DEFAULTS = {
         "seed": 1,
         "wind_speed_mps": 12,
         "fetch_m": 100e3,
+        "peak_enhancement": 3.3,
         "depth_m": 4000,
         "choppiness": 0.8,
         "roughness": -1,
         "wind_alignment": 0.5,
-        "loop_period_s": 200,
         "swell_period_s": 12,
         "swell_spread_rad": 0.26179938779914943,
+        "loop_period_s": 200,
         "wave_strength": 1,
         "wave_drag": 0.38,
     },

@@ -236,6 +236,7 @@ def link_callbacks(header):
 
 
 def read_header(text):
+    text = re.sub(r"(?m)^[ \t]*/\* (?:generated from schema/.*|end of generated) \*/\n", "", text)
     comments = Comments(text)
     # What C++ needs, and preprocessor lines, with blanks in their place.
     code = comments.code

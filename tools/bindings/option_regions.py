@@ -205,7 +205,7 @@ def c_fields(schema):
     for (type_, text), options in itertools.groupby(c_options(schema), lambda option: (C_TYPES[option.type], c_description(option))):
         member = f"{type_} {', '.join(option.name for option in options)};"
         lines += with_comment(member, text, f" /* {beside(text)} */", c_comment(text))
-    return lines
+    return aligned(lines, " /* ")
 
 
 def c_description(option):
@@ -224,19 +224,18 @@ def c_enums(schema):
         lines.append("enum {")
         for i, ((_, text), name) in enumerate(zip(enum.values, enum.c_values())):
             comma = "," if i + 1 < len(enum.values) else ""
-            lines += ["    " + line for line in c_comment(named(text, str))] + [f"    {name} = {i}{comma}"]
+            lines += ["    " + line for line in c_comment(named(text[0].upper() + text[1:].rstrip("."), str) + ".")] + [f"    {name} = {i}{comma}"]
         lines.append("};")
     return lines
 
 
 def c_make(schema):
     """The function that returns the defaults."""
-    name = schema.c.removeprefix("pelagic_")
-    lines = [f"static inline {schema.c} {schema.c}_make(void) {{", f"    {schema.c} {name};",
-             f"    memset(&{name}, 0, sizeof {name});", f"    {name}.struct_size = sizeof {name};"]
+    name = schema.c.split("_")[-1]
+    lines = [f"static inline {schema.c} {schema.c}_make(void) {{", f"    PELAGIC_ZEROS({schema.c}, {name});"]
     for option in c_options(schema):
         value = option.enum.c_values()[[v for v, _ in option.enum.values].index(option.default)] if option.enum else c_default_of(option)
-        if str(value) not in ("0", "False"):
+        if str(value) != "0" and (not option.enum or option.enum.c_values()[0] != value):
             lines.append(f"    {name}.{option.name} = {value};")
     return lines + [f"    return {name};", "}"]
 
@@ -247,28 +246,34 @@ def c_checks(schema):
             for enum in schema.enums for c, cpp in zip(enum.c_values(), enum.cpp_values())]
 
 
-def c_conversions(schema):
-    """The functions between the C struct and the C++ one."""
-    options = [option for option in schema.options if option.is_in("C")]
-    lines = [f"void read_options(const {schema.c}& from, {schema.struct}& to, const std::string& prefix) {{"]
-    for option in options:
+def c_reads(schema):
+    """Statements that read a C struct `from` into a C++ one `to`; `prefix` begins names in messages of enumerations."""
+    lines = []
+    for option in schema.options:
+        if not option.is_in("C"):
+            continue
         member = f"from.{option.name}"
         if option.enum:
-            member = f'enum_of<{option.enum.name}>({member}, prefix + "{option.name}", "{option.enum.c}...")'
+            member = f'enum_of<{option.enum.name}>({member}, prefix, "{option.name}", "one of {option.enum.c}...")'
         elif option.c_default is not None:
             member = f"{member} == {option.c_default} ? {option.default} : {member}"
-        elif option.type == "bool":
-            member += " != 0"
-        lines.append(f"    to.{option.name} = {member};")
-    lines += ["}", "", f"void write_options(const {schema.struct}& from, {schema.c}& to) {{"]
-    for option in options:
+        lines.append(f"to.{option.name} = {member};")
+    return lines
+
+
+def c_writes(schema):
+    """Statements that write a C++ struct `from` to a C one `to`."""
+    lines = []
+    for option in schema.options:
+        if not option.is_in("C"):
+            continue
         member = f"from.{option.name}"
         if option.enum:
             member = f"static_cast<std::int32_t>({member})"
         elif option.c_default is not None:
             member = f"{member} == {option.default} ? {option.c_default} : {member}"
-        lines.append(f"    to.{option.name} = {member};")
-    return lines + ["}"]
+        lines.append(f"to.{option.name} = {member};")
+    return lines
 
 
 # ---- Python, TypeScript, Markdown -----------------------------------------------------------------
@@ -417,5 +422,5 @@ def number_table(schema):
 
 
 RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "enumeration-checks": enumeration_checks, "c-members": c_fields,
-             "c-enumerations": c_enums, "c-make": c_make, "c-checks": c_checks, "c-conversions": c_conversions,
+             "c-enumerations": c_enums, "c-make": c_make, "c-checks": c_checks, "c-reads": c_reads, "c-writes": c_writes,
              "python-fields": python_fields, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table, "numbers-of-page": number_table}

@@ -22,14 +22,6 @@ namespace Pelagic
         ApplicationError = 6,
     }
 
-    public enum Spectrum
-    {
-        PhillipsPaper = 0,
-        Phillips = 1,
-        PiersonMoskowitz = 2,
-        Jonswap = 3,
-    }
-
     public enum WavesKind
     {
         Spectrum = 0,
@@ -37,11 +29,27 @@ namespace Pelagic
         Pond = 2,
     }
 
+    public enum Spectrum
+    {
+        /// <summary>Scaled as in VR Ocean, without a swell.</summary>
+        PhillipsPaper = 0,
+        /// <summary>Phillips' shape with a physical height.</summary>
+        Phillips = 1,
+        /// <summary>A fully developed sea; no fetch.</summary>
+        PiersonMoskowitz = 2,
+        /// <summary>A sea that grows with the fetch.</summary>
+        Jonswap = 3,
+    }
+
     public enum Spreading
     {
+        /// <summary>VR Ocean, by WindAlignment.</summary>
         Paper = 0,
+        /// <summary>Measured, Longuet-Higgins et al. 1963.</summary>
         Cosine2s = 1,
+        /// <summary>Measured, Hasselmann et al. 1980.</summary>
         Hasselmann = 2,
+        /// <summary>Measured, Donelan et al. 1985 and Banner 1990.</summary>
         DonelanBanner = 3,
     }
 
@@ -69,19 +77,25 @@ namespace Pelagic
 
     public enum DynamicWavesKind
     {
-        /// <summary>Advances each wave by its own phase: wakes by the dispersion of deep or shallow water.</summary>
+        /// <summary>
+        /// Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at
+        /// any length of a tick; wakes have Kelvin's angle.
+        /// </summary>
         Spectral = 0,
-        /// <summary>One speed for all waves, for ponds and rings; (speed / (TicksPerS texel))^2 &lt;= 0.4.</summary>
+        /// <summary>
+        /// H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 &lt;= 0.4: one
+        /// speed for all waves, for ponds and rings.
+        /// </summary>
         Verlet = 1,
     }
 
     public enum Shape
     {
-        /// <summary>HeightM exp(-(r / RadiusM)^2)</summary>
+        /// <summary>HeightM exp(-(r / RadiusM)^2), cut off at 3 radii.</summary>
         Gauss = 0,
         /// <summary>
-        /// HeightM sqrt(1 - (along / LengthM)^2 - (across / RadiusM)^2); HeightM of a floating hull
-        /// is below 0
+        /// HeightM sqrt(1 - (along / LengthM)^2 - (across / RadiusM)^2) within that ellipse; HeightM
+        /// of a floating hull is below 0.
         /// </summary>
         Hull = 1,
     }
@@ -89,15 +103,23 @@ namespace Pelagic
     public enum DisturbanceKind
     {
         /// <summary>
-        /// A pressure equal to the weight of the shape's water: at rest the surface becomes the
-        /// shape.
+        /// A pressure, or suction, equal to the weight of the shape's water: at rest the surface becomes
+        /// the shape and stays so, and a moving one leaves the waves of a moving pressure (Havelock
+        /// 1908). The volume of the water is constant.
         /// </summary>
         Pressure = 0,
-        /// <summary>The surface approaches the shape at a rate, so the bulge is bounded.</summary>
+        /// <summary>
+        /// The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the
+        /// difference, times the shape over its height. The bulge is bounded, and its volume is added to
+        /// the water.
+        /// </summary>
         Relaxation = 1,
         /// <summary>The shape is added to the surface at once: a drop, a stone.</summary>
         Impulse = 2,
-        /// <summary>Adds the foam of waves as high as the shape, and no waves: water that a hull breaks.</summary>
+        /// <summary>
+        /// Adds the foam that waves as high as the shape have, and no waves: water that a hull or a
+        /// propeller breaks.
+        /// </summary>
         Foam = 3,
     }
 
@@ -119,73 +141,97 @@ namespace Pelagic
     {
         internal uint struct_size;
         /// <summary>
-        /// Wave model, WavesKind A pond has one cascade. Only a spectrum uses spectrum,
-        /// spreading, FetchM, DepthM, ShortWaveCutoff, WindAlignment, the swell and seed; only the
-        /// other models use WaveCount and the fields from LongestWaveM on.
+        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, DepthM,
+        /// ShortWaveCutoff, WindAlignment, the swell and seed. Only the other models use WaveCount
+        /// and the options after it. All models use the wind, whose direction is that of their waves.
         /// </summary>
         public WavesKind Waves;
-        /// <summary>Spectrum</summary>
+        /// <summary>Spectrum; wave spectrum</summary>
         public Spectrum Spectrum;
-        /// <summary>Spreading; phillips-paper accepts only the paper's</summary>
+        /// <summary>Spreading; directional spreading. The spectrum phillips-paper accepts only paper.</summary>
         public Spreading Spreading;
         /// <summary>
-        /// Number of cascades, each a band of wavelengths; 1 to 4. 0: four, or one if PatchSizeM is
-        /// set, the resolution is 16 or the spectrum is phillips-paper. More than one excludes
-        /// PatchSizeM.
+        /// Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if PatchSizeM
+        /// is set, the resolution is 16 or the model has only one. More than one excludes PatchSizeM.
         /// </summary>
         public int Cascades;
         /// <summary>
-        /// N, texels along a side of a cascade; a power of two, 16 to 2048. 0: 128, or 256 if
+        /// N, texels along a side of each cascade; a power of two from 16 to 2048. 0: 128, or 256 if
         /// PatchSizeM is set.
         /// </summary>
         public int Resolution;
         /// <summary>seed of the random phases and amplitudes</summary>
         public uint Seed;
-        /// <summary>number of analytic waves (0: 16) or pond octaves (0: 24); 1 to 64</summary>
+        /// <summary>
+        /// Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves.
+        /// </summary>
         public int WaveCount;
-        /// <summary>Side of the only cascade; [0.001, 1e6]. 0: sides derived from the sea.</summary>
+        /// <summary>
+        /// L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived
+        /// from the sea.
+        /// </summary>
         public double PatchSizeM;
         /// <summary>U10, mean wind speed 10 m above the sea; (0, 60]</summary>
         public double WindSpeedMps;
-        /// <summary>direction the wind blows towards, from +x to +z; [-2 pi, 2 pi]</summary>
+        /// <summary>Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi].</summary>
         public double WindDirectionRad;
         /// <summary>
         /// Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
         /// an effect; (0, 2e6].
         /// </summary>
         public double FetchM;
-        /// <summary>depth of the water; waves higher than 0.6 of it break; [0.01, 11000]</summary>
+        /// <summary>
+        /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
+        /// [1, 10].
+        /// </summary>
+        public double PeakEnhancement;
+        /// <summary>
+        /// Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6
+        /// of it break.
+        /// </summary>
         public double DepthM;
-        /// <summary>scale of horizontal displacements; 0: a height field; [0, 1]</summary>
+        /// <summary>Scale of horizontal displacements; [0, 1]. 0 gives a height field.</summary>
         public double Choppiness;
         /// <summary>
-        /// GGX roughness of the waves that texels do not resolve, for the smoothness channel; [0, 1], or
-        /// -1: derived from the wind.
+        /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
+        /// that the cascades do not resolve in this wind.
         /// </summary>
         public double Roughness;
         /// <summary>
-        /// 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength; [0, 1]
+        /// 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength; [0, 1].
         /// </summary>
         public double ShortWaveCutoff;
-        /// <summary>With 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1]</summary>
+        /// <summary>
+        /// Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1].
+        /// With 0 a third of the energy runs against the wind and little across it; with 1 a hundredth
+        /// runs against it.
+        /// </summary>
         public double WindAlignment;
-        /// <summary>T, the period after which the sea repeats exactly; [0.1, 86400].</summary>
-        public double LoopPeriodS;
-        /// <summary>significant wave height of the swell; 0: no swell; [0, 30]</summary>
+        /// <summary>
+        /// Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no
+        /// swell.
+        /// </summary>
         public double SwellHeightM;
         /// <summary>peak period of the swell; [1, 40]</summary>
         public double SwellPeriodS;
-        /// <summary>direction the swell runs towards, as WindDirectionRad</summary>
+        /// <summary>Direction that the swell runs towards, as WindDirectionRad; [-2 pi, 2 pi].</summary>
         public double SwellDirectionRad;
-        /// <summary>Standard deviation of its directions; [pi/180, 4 pi/9].</summary>
+        /// <summary>Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default.</summary>
         public double SwellSpreadRad;
-        /// <summary>longest wavelength; [0.02, 1000]. 0: 120, of a pond 1.2</summary>
+        /// <summary>T, the period after which the sea repeats exactly; [0.1, 86400]</summary>
+        public double LoopPeriodS;
+        /// <summary>Longest wavelength of an analytic sea or a pond; [0.02, 1000]. 0: 120, of a pond 1.2.</summary>
         public double LongestWaveM;
-        /// <summary>shortest wavelength; [0.01, 1000]. 0: longest / 60, of a pond / 45</summary>
+        /// <summary>
+        /// Shortest wavelength, at most the longest; [0.01, 1000]. 0: the longest / 60, of a pond / 45.
+        /// </summary>
         public double ShortestWaveM;
-        /// <summary>0 calm, 1 moderate, 2 intense, interpolated between; [0, 2]</summary>
+        /// <summary>Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2].</summary>
         public double WaveStrength;
-        /// <summary>significant wave height; (0, 30]. 0: derived from WaveStrength</summary>
+        /// <summary>
+        /// Significant wave height of an analytic sea or a pond; [0, 30]. 0: from WaveStrength, of a
+        /// pond 0.017 LongestWaveM. Of a pond it is above 0.
+        /// </summary>
         public double WaveHeightM;
         /// <summary>horizontal drag of a pond's short waves by its long ones; [0, 1]</summary>
         public double WaveDrag;
@@ -193,8 +239,8 @@ namespace Pelagic
 
     /// <summary>
     /// Heights, periods and directions of a sea. Fields that begin with `expected` are means over all
-    /// seeds, of the waves that the cascades hold. Fields that begin with `drawn` belong to the waves of
-    /// this seed, as a mean over a loop. A value that a sea does not have is 0.
+    /// seeds, of the waves that the cascades hold. Fields that begin with `realised` belong to the waves
+    /// of this seed, as a mean over a loop. A value that a sea does not have is 0.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Statistics
@@ -250,11 +296,11 @@ namespace Pelagic
     public partial struct WaterFrame
     {
         internal uint struct_size;
-        /// <summary>[-1000, 1000]</summary>
+        /// <summary>height of still water; [-1000, 1000]</summary>
         public double SeaLevelM;
-        /// <summary>[-10, 10]</summary>
+        /// <summary>velocity of the water along x; [-10, 10]</summary>
         public double CurrentXMps;
-        /// <summary>[-10, 10]</summary>
+        /// <summary>velocity of the water along z; [-10, 10]</summary>
         public double CurrentZMps;
     }
 
@@ -283,28 +329,28 @@ namespace Pelagic
     public partial struct DynamicWavesOptions
     {
         internal uint struct_size;
-        /// <summary>DynamicWavesKind</summary>
+        /// <summary>DynamicWavesKind; how a tick advances the waves</summary>
         public DynamicWavesKind Step;
         /// <summary>N, texels along a side; 64, 128, 256, 512 or 1024</summary>
         public int Resolution;
-        /// <summary>[10, 240]</summary>
+        /// <summary>ticks of the simulation a second; [10, 240]</summary>
         public int TicksPerS;
         /// <summary>side of the grid; [1, 10000]</summary>
         public double SideM;
         /// <summary>
-        /// Width of the absorbing border along each side, [0.001, SideM / 4]; 0: no border, and waves
+        /// Width of the absorbing border along each side; [0.001, SideM / 4]. 0: no border, and waves
         /// wrap around.
         /// </summary>
         public double BorderM;
-        /// <summary>spectral; [0.01, 11000]</summary>
+        /// <summary>depth of the water (spectral); [0.01, 11000]</summary>
         public double DepthM;
-        /// <summary>Spectral: eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2; [0, 1]</summary>
+        /// <summary>Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1].</summary>
         public double ViscosityM2ps;
-        /// <summary>Verlet; (0, 1000]</summary>
+        /// <summary>Speed of all waves, with (speed / (TicksPerS texel))^2 at most 0.4 (verlet); (0, 1000].</summary>
         public double WaveSpeedMps;
-        /// <summary>damping rate of amplitudes; [0, 10]</summary>
+        /// <summary>decay rate of amplitudes; [0, 10]</summary>
         public double DecayPerS;
-        /// <summary>height above which foam begins; [0.001, 100]</summary>
+        /// <summary>foam begins above this height and is full at twice it; [0.001, 100]</summary>
         public double FoamHeightM;
     }
 
@@ -313,27 +359,27 @@ namespace Pelagic
     public partial struct Disturbance
     {
         internal uint struct_size;
-        /// <summary>Shape</summary>
+        /// <summary>Shape; shape</summary>
         public Shape Shape;
-        /// <summary>DisturbanceKind</summary>
+        /// <summary>DisturbanceKind; what the shape does to the water</summary>
         public DisturbanceKind Mode;
-        /// <summary>position in the world; [-1e8, 1e8]</summary>
+        /// <summary>initial position in the world; [-1e8, 1e8]</summary>
         public double XM;
-        /// <summary>position in the world; [-1e8, 1e8]</summary>
+        /// <summary>initial position in the world; [-1e8, 1e8]</summary>
         public double ZM;
-        /// <summary>of a hull half its beam; [0.001, 1000]</summary>
+        /// <summary>radius, of a hull half its beam; [0.001, 1000]</summary>
         public double RadiusM;
-        /// <summary>of a hull half its length; [0.001, 1000]</summary>
+        /// <summary>half the length of a hull; [0.001, 1000]</summary>
         public double LengthM;
-        /// <summary>direction of a hull's length, from +x to +z; [-2 pi, 2 pi]</summary>
+        /// <summary>direction of a hull's length, from +x towards +z; [-2 pi, 2 pi]</summary>
         public double HeadingRad;
-        /// <summary>[-100, 100]</summary>
+        /// <summary>height of the shape, below 0 for a floating hull; [-100, 100]</summary>
         public double HeightM;
-        /// <summary>of a relaxation; (0, 1000]</summary>
+        /// <summary>rate of a relaxation; (0, 1000]</summary>
         public double RatePerS;
-        /// <summary>Velocity of a source until the next set_source; [-1000, 1000]</summary>
+        /// <summary>Velocity of a source until it is replaced; [-1000, 1000].</summary>
         public double VelocityXMps;
-        /// <summary>Velocity of a source until the next set_source; [-1000, 1000]</summary>
+        /// <summary>Velocity of a source until it is replaced; [-1000, 1000].</summary>
         public double VelocityZMps;
     }
 
@@ -346,10 +392,17 @@ namespace Pelagic
     public partial struct Rain
     {
         internal uint struct_size;
+        /// <summary>seed of the drops</summary>
         public uint Seed;
-        /// <summary>Mean number of drops; at most the value that puts 16 on a texel in a tick. 0: no rain.</summary>
+        /// <summary>
+        /// Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number.
+        /// 0: no rain.
+        /// </summary>
         public double DropsPerM2S;
-        /// <summary>[0.001, SideM / 16]; a crater narrower than a texel is drawn a texel wide, and flatter.</summary>
+        /// <summary>
+        /// Radius of the crater at the rest level; [0.001, SideM / 16]. A crater narrower than a texel
+        /// is a texel wide on the grid, flatter and with equal volume.
+        /// </summary>
         public double RadiusM;
         /// <summary>depth of a crater; [-10, 10]</summary>
         public double HeightM;
@@ -364,6 +417,7 @@ namespace Pelagic
     public partial struct SprayOptions
     {
         internal uint struct_size;
+        /// <summary>seed of the droplets</summary>
         public uint Seed;
         /// <summary>spray leaves crests within this distance of the centre; [10, 200]</summary>
         public double ReachM;
@@ -376,9 +430,9 @@ namespace Pelagic
     public partial struct SprayEmitter
     {
         internal uint struct_size;
-        /// <summary>droplets; [0, 8192]</summary>
+        /// <summary>number of droplets; [0, 8192]</summary>
         public int Count;
-        /// <summary>at which they leave; [-1e9, 1e9]</summary>
+        /// <summary>time at which they leave; [-1e9, 1e9]</summary>
         public double TimeS;
         /// <summary>centre of the ball; [-1e8, 1e8]</summary>
         public double XM;
@@ -396,7 +450,7 @@ namespace Pelagic
         public double VelocityZMps;
         /// <summary>largest deviation from the mean velocity; [0, 100]</summary>
         public double SpreadMps;
-        /// <summary>of a droplet as it leaves; [0.001, 1]</summary>
+        /// <summary>radius of a droplet as it leaves; [0.001, 1]</summary>
         public double RadiusM;
         /// <summary>diameter of drops, which sets the drag; [0.1, 5]</summary>
         public double DropMm;
@@ -416,16 +470,16 @@ namespace Pelagic
         public double XM;
         /// <summary>centre; [-1e8, 1e8]</summary>
         public double ZM;
-        /// <summary>[0.01, 1000]</summary>
+        /// <summary>wavelength; [0.01, 1000]</summary>
         public double WavelengthM;
-        /// <summary>at the centre; [0, 100], and at most WavelengthM / (2 pi)</summary>
+        /// <summary>Amplitude at the centre, at most WavelengthM / (2 pi), a slope of 1; [0, 100].</summary>
         public double AmplitudeM;
         /// <summary>
-        /// Radius beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
+        /// Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
         /// half of that side.
         /// </summary>
         public double ReachM;
-        /// <summary>[-2 pi, 2 pi]</summary>
+        /// <summary>phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi]</summary>
         public double PhaseRad;
     }
 
@@ -667,24 +721,29 @@ namespace Pelagic
     /// </summary>
     public sealed partial class ShoreOptions
     {
-        /// <summary>samples of the floor along x and z; 2 to 4096</summary>
+        /// <summary>samples of the floor along x; 2 to 4096</summary>
         public int Columns;
-        /// <summary>samples of the floor along x and z; 2 to 4096</summary>
+        /// <summary>samples of the floor along z; 2 to 4096</summary>
         public int Rows;
-        /// <summary>Texels along the longer side of the result; 64, 128, 256, 512 or 1024.</summary>
+        /// <summary>Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024.</summary>
         public int Resolution;
-        /// <summary>position of sample (0, 0); [-1e8, 1e8]</summary>
+        /// <summary>position of the first sample; [-1e8, 1e8]</summary>
         public double CornerXM;
-        /// <summary>position of sample (0, 0); [-1e8, 1e8]</summary>
+        /// <summary>position of the first sample; [-1e8, 1e8]</summary>
         public double CornerZM;
         /// <summary>distance of neighbouring samples; [0.001, 10000]</summary>
         public double MetresPerSample;
         /// <summary>
-        /// Width of the strip along the edges over which the coarsest cascade fades; at most half of the
-        /// shorter side. 0: an eighth of it.
+        /// Width of the strip along the edges over which the coarsest cascade fades into waves over the
+        /// floor; [0, half the field's shorter side]. 0: an eighth of the shorter side.
         /// </summary>
         public double FadeM;
-        /// <summary>maximum height that waves reach on dry sand; (0, 10]; 0: from sea and slope</summary>
+        /// <summary>
+        /// Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0:
+        /// the height that 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant
+        /// wave height and peak period and the median slope at the waterline. Waves in the water do not
+        /// depend on it.
+        /// </summary>
         public double SwashM;
 
         private void CopyTo(ref Native.pelagic_shore_options native)
@@ -714,32 +773,35 @@ namespace Pelagic
 
     public sealed partial class HullOptions
     {
-        /// <summary>[1e-6, 1e10]</summary>
+        /// <summary>mass, which has no default; [1e-6, 1e10]</summary>
         public double MassKg;
         /// <summary>fraction of critical damping, of pitch too; [0, 0.999]</summary>
         public double HeaveDamping;
-        /// <summary>fraction of critical damping; [0, 0.999]</summary>
+        /// <summary>fraction of critical damping of roll at |GM|; [0, 0.999]</summary>
         public double RollDamping;
         /// <summary>drag of advancing faces; [0, 10]</summary>
         public double PressureCoefficient;
-        /// <summary>drag of retreating faces; [0, 10]</summary>
+        /// <summary>
+        /// Drag of retreating faces; with PressureCoefficient 0.7 the drag is that of a cube, 1.05
+        /// (Hoerner 1965); [0, 10].
+        /// </summary>
         public double SuctionCoefficient;
-        /// <summary>[0, 1]</summary>
+        /// <summary>Friction along faces; ITTC 1957 at a Reynolds number of 3e6; [0, 1].</summary>
         public double FrictionCoefficient;
         /// <summary>drag of faces above the water; [0, 10]</summary>
         public double AirCoefficient;
-        /// <summary>[500, 2000]</summary>
+        /// <summary>density of the water; [500, 2000]</summary>
         public double WaterDensityKgpm3;
-        /// <summary>[0, 10]</summary>
+        /// <summary>density of the air; [0, 10]</summary>
         public double AirDensityKgpm3;
         /// <summary>
-        /// Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull under
-        /// thrust; [0, 1e4]. 0: none.
+        /// Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull
+        /// under thrust; [0, 1e4]. 0: none.
         /// </summary>
         public double SkegM2;
-        /// <summary>its middle in the axes of the mesh; [-1000, 1000]</summary>
+        /// <summary>middle of the skeg in the axes of the mesh; [-1000, 1000]</summary>
         public double SkegXM;
-        /// <summary>its middle in the axes of the mesh; [-1000, 1000]</summary>
+        /// <summary>middle of the skeg in the axes of the mesh; [-1000, 1000]</summary>
         public double SkegYM;
 
         private void CopyTo(ref Native.pelagic_hull_options native)
@@ -1017,12 +1079,12 @@ namespace Pelagic
             internal int columns;
             internal int rows;
             internal int resolution;
-            internal float* heights_m;
             internal double corner_x_m;
             internal double corner_z_m;
             internal double metres_per_sample;
             internal double fade_m;
             internal double swash_m;
+            internal float* heights_m;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1131,9 +1193,6 @@ namespace Pelagic
         {
             internal uint struct_size;
             internal double mass_kg;
-            internal double* centre_of_mass_m;
-            internal double* inertia_kgm2;
-            internal double* added_mass;
             internal double heave_damping;
             internal double roll_damping;
             internal double pressure_coefficient;
@@ -1145,6 +1204,9 @@ namespace Pelagic
             internal double skeg_m2;
             internal double skeg_x_m;
             internal double skeg_y_m;
+            internal double* centre_of_mass_m;
+            internal double* inertia_kgm2;
+            internal double* added_mass;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1164,13 +1226,14 @@ namespace Pelagic
                 Seed = 1,
                 WindSpeedMps = 12,
                 FetchM = 100e3,
+                PeakEnhancement = 3.3,
                 DepthM = 4000,
                 Choppiness = 0.8,
                 Roughness = -1,
                 WindAlignment = 0.5,
-                LoopPeriodS = 200,
                 SwellPeriodS = 12,
                 SwellSpreadRad = 0.26179938779914943,
+                LoopPeriodS = 200,
                 WaveStrength = 1,
                 WaveDrag = 0.38,
             };
