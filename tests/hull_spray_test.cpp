@@ -13,6 +13,7 @@
 
 #include "pelagic/floating/floating_bodies.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spray.hpp"
 #include "pelagic/tests/hull_energy.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
