@@ -119,12 +119,12 @@ TEST(CInterface, AnUnknownPresetIsNamed) {
 // Messages equal those of check(SeaState).
 TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
     const std::map<std::string, std::function<void(pelagic_sea&)>> mistakes = {
-        {"spectrum is no known model", [](pelagic_sea& sea) { sea.spectrum = -1; }},
+        {"spectrum is -1, expected one of PELAGIC_SPECTRUM_...", [](pelagic_sea& sea) { sea.spectrum = -1; }},
         {"resolution is 17, expected a power of two from 16 to 2048", [](pelagic_sea& sea) { sea.resolution = 17; }},
         {"resolution is -2147483648", [](pelagic_sea& sea) { sea.resolution = INT32_MIN; }},
         {"wind_speed_mps -3 is out of range (0, 60]", [](pelagic_sea& sea) { sea.wind_speed_mps = -3; }},
         {"fetch_m 0 is out of range (0, 2e6]", [](pelagic_sea& sea) { sea.fetch_m = 0; }},
-        {"spreading is no known model", [](pelagic_sea& sea) { sea.spreading = 4; }},
+        {"spreading is 4, expected one of PELAGIC_SPREADING_...", [](pelagic_sea& sea) { sea.spreading = 4; }},
         {"wave_height_m 31 is out of range (0, 30], or 0: derived", [](pelagic_sea& sea) { sea.wave_height_m = 31; }},
         {"swell_spread_rad 2 is out of range [pi/180, 4 pi/9]", [](pelagic_sea& sea) { sea.swell_spread_rad = 2; }},
         {"cascades is 5, expected 1, 2, 3 or 4", [](pelagic_sea& sea) { sea.cascades = 5; }},

@@ -28,12 +28,17 @@ constexpr double min_left_out = 0.1;
 /// Changes kept by add(): their seas cover a frame in flight and the ticks before it.
 constexpr std::size_t remembered_changes = 2;
 
+/// Returns what later seas must keep to; unset if one cascade has a given side.
+std::optional<double> largest_peak_m(const WaveReach& reach) {
+    return reach.peak_m > 0 ? std::optional(reach.peak_m) : std::nullopt;
+}
+
 }  // namespace
 
 Weather::Weather(const Forecast& forecast) : next_{.forecast = forecast} {
     const std::vector<WaveReach> own = own_reaches(forecast);
     reach_ = reach_of(forecast, own);
-    next_.forecast.largest_peak_m = reach_.peak_m;
+    next_.forecast.largest_peak_m = largest_peak_m(reach_);
     for (std::size_t index = 0; index <= forecast.changes.size(); ++index)
         next_.plans.push_back(plan_cascades(forecast.sea(index), reach_, own[index]));
     next_.find_arrivals();
@@ -339,7 +344,7 @@ void Weather::begin_other(const SeaState& sea, Sources sources) {
 void Weather::restart(Sources sources) {
     next_ = {.forecast = other_->forecast, .plans = {other_->plans}, .first_number = number_of_last() + 1};
     reach_ = other_->reach;
-    next_.forecast.largest_peak_m = reach_.peak_m;
+    next_.forecast.largest_peak_m = largest_peak_m(reach_);
     other_.reset();
     cache_.clear();
     for (const auto& source : sources) source->forget_seas();
