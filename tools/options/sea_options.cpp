@@ -334,6 +334,8 @@ std::string_view missing_for(Needs needs, const SeaState& sea) {
 }  // namespace
 
 std::string_view requirement_of(std::string_view field, const SeaState& sea) {
+    for (const SeaAngle& angle : sea_angles())
+        if (angle.in_file == field) field = angle.field;
     Needs needs = Needs::nothing;
     for (const SeaFlag& flag : sea_flags)
         if (flag.field == field) needs = flag.needs;

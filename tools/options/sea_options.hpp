@@ -66,7 +66,7 @@ const SeaAngle* sea_angle(std::string_view field);
 /// Returns the option without which a field of SeaState has no effect on this sea, as on the command
 /// line: "--spectrum jonswap". Returns an empty string if the field has an effect. The depth always
 /// has one: dynamic waves and sea floors use it, too.
-/// \param field  a name of sea_state_fields(), "spectrum" or "spreading"
+/// \param field  a name of sea_state_fields(), or as in files: "swell_spread_deg", "spectrum"
 std::string_view requirement_of(std::string_view field, const SeaState& sea);
 
 /// Returns a warning if the transitions of --weather leave out short waves of the first sea, else an
