@@ -14,6 +14,10 @@ import sys
 
 
 def described(line):
+    if re.search(r"/\* (?:generated from schema/.*|end of generated) \*/", line):
+        return ""
+    if re.match(r"static inline \w+ \w+_make\(void\)", line):
+        return "/** Returns the struct with its struct_size and all defaults. */ " + line
     line = re.sub(r"([;,{]) */\*([^*<])", r"\1 /**<\2", line)
     return re.sub(r"^( *)/\*([^*])", r"\1/**\2", line)
 

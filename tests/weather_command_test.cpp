@@ -104,7 +104,7 @@ TEST_F(WeatherCommand, ErrorsAreOneLineThatNamesThePosition) {
         invalid_value_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("change 1: depth is 3, expected 4000"),
         std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 5e6\nswell_height = 0\n")
-                  .find("change 1: swell_from is 5000000, expected 0 where the sea has no swell"),
+                  .find("change 1: swell_from is 5000000, expected none where the sea has no swell"),
               std::string::npos);
     EXPECT_NE(invalid_value_of("[[change]]\nfrom = 1\nover = 0\n").find("change 1: over 0 is out of range (0, 1e9]"),
               std::string::npos);
