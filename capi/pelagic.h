@@ -19,41 +19,49 @@
  *
  * Results are bit-identical to those of the C++ interface.
  *
- * Conventions. SI units, named in each field. Right-handed axes, +y up, rest level y = 0. Angles in
- * radians, time in seconds.
+ * Conventions. SI units, named in each field; right-handed axes, +y up, rest level y = 0; radians. Ranges of values
+ * stand in brackets. Hashes have 64 bits: equal ones on two machines mean bit-identical results.
  *
- * Errors. Every function that can fail returns a pelagic_status. Unless the status is PELAGIC_OK,
- * the function has written nothing through its other arguments. Only a handle that could not be
- * created is set to NULL. The objects are unchanged, and pelagic_last_error() returns one line that
- * describes the error. No exception crosses this interface.
+ * Errors. Every function that can fail returns a pelagic_status. Unless it is PELAGIC_OK, the function has changed no
+ * object and written nothing but NULL for a handle that could not be created, and pelagic_last_error() describes the
+ * error. No exception crosses this interface. The comments of functions leave out these errors:
+ *   PELAGIC_INVALID_ARGUMENT for a NULL handle, a NULL pointer that is not described as optional, a value out of
+ *     range, and what the ocean was created without: queries, velocities, foam, textures, dynamic waves, a shore or
+ *     spray.
+ *   PELAGIC_WRONG_ORDER before the first frame, from functions that need the frame completed last.
+ *   PELAGIC_OUT_OF_MEMORY and PELAGIC_INTERNAL_ERROR. From functions that create executors, oceans, dynamic waves and
+ *     bodies also PELAGIC_SYSTEM_ERROR if the system cannot create the threads, and PELAGIC_APPLICATION_ERROR if a
+ *     callback of the executor fails.
+ * A destroyed handle, or a pointer to less memory than stated, cannot be detected: the behaviour is undefined.
+ * Destroy functions accept NULL.
  *
- * Any function may return PELAGIC_OUT_OF_MEMORY or PELAGIC_INTERNAL_ERROR. A NULL handle, or a NULL
- * pointer that is not documented as optional, gives PELAGIC_INVALID_ARGUMENT. The comments of the
- * functions do not repeat these errors. A destroyed handle, or a pointer to less memory than
- * stated, cannot be detected: the behaviour is undefined.
+ * Structs. Those that the library reads begin with struct_size. A function with the struct's name and _make returns
+ * one with its struct_size and all defaults; fields that it does not name are 0. Options that may be NULL then have
+ * their defaults. Later versions 1.x may add fields at the end. Sizes from that of the struct's first version to 4096
+ * bytes are accepted; any other size gives PELAGIC_INVALID_ARGUMENT. In a larger struct, of an application built with
+ * a newer header, the fields that the library does not define must be 0. Structs that the library writes, and those
+ * inside other structs, have no struct_size: versions 1.x do not change them. Compare structs by their fields,
+ * because padding has no value.
  *
- * Structs. Those that the library reads begin with struct_size. A function with the struct's name
- * and _make returns one with its struct_size and all defaults; fields that the function does not
- * name are 0. Later versions 1.x may add fields at the end. Sizes from that of the struct's first
- * version to 4096 bytes are accepted; any other size gives PELAGIC_INVALID_ARGUMENT. In a larger
- * struct, of an application built with a newer header, the fields that the library does not define
- * must be 0. Structs that the library writes, and those inside other structs, have no struct_size:
- * versions 1.x do not change them.
+ * Threads. Functions whose first argument is a handle are called by one thread at a time for each object, unless
+ * their comment says otherwise; an ocean, its dynamic waves and its inputs count as one object. All other functions
+ * may be called by any number of threads at once. So may those with "Threads: any", also while another thread calls
+ * other functions of the object. Oceans on different threads may share an executor.
  *
- * Threads. Each function's comment names one of two rules:
- *   "one thread per ocean" (or per object): one thread at a time calls such functions of an object.
- *   Different objects may be used concurrently.
- *   "any": any number of threads at once, also while another thread calls "one thread" functions.
- * Oceans on different threads may share an executor.
+ * Lifetime. The caller destroys what a pelagic_..._create function made, in any order: an ocean keeps its executor
+ * alive. Memory that a pelagic_frame points to belongs to the ocean. Returned strings live as long as the library,
+ * except that of pelagic_last_error().
  *
- * Lifetime. The caller destroys what a pelagic_..._create function made, in any order: an ocean
- * keeps its executor alive. Memory that a pelagic_frame points to belongs to the ocean. Returned
- * strings live as long as the library, except that of pelagic_last_error().
+ * Saved states. A function that saves writes `count`, the number of bytes, and the state to `bytes`, unless that is
+ * NULL. PELAGIC_INVALID_ARGUMENT: `room`, the size of `bytes`, is too small. States are restored on any machine of
+ * equal byte order. PELAGIC_INVALID_ARGUMENT: they are damaged. PELAGIC_WRONG_ORDER: a frame is in flight, for states
+ * of an ocean and its dynamic waves.
  *
- * Memory. After an ocean's first frame, schedule, poll, complete and queries allocate nothing. The
- * exceptions are changes of the forecast, and a larger number of commands for dynamic waves than in
- * any earlier frame. Memory of the size of a frame or a spectrum comes from
- * pelagic_ocean_options.allocate, if set. */
+ * Memory. After an ocean's first frame, schedule, poll, complete and queries allocate nothing. The exceptions are
+ * changes of the forecast, and a larger number of commands for dynamic waves than in any earlier frame. Memory of the
+ * size of a frame or a spectrum comes from pelagic_ocean_options.allocate, if set.
+ *
+ * Functions of pointer types below, such as pelagic_parallel_for, are written by the application. */
 #ifndef PELAGIC_PELAGIC_H
 #define PELAGIC_PELAGIC_H
 
@@ -61,8 +69,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Marks what the shared library exports. Applications that link libpelagic.a define PELAGIC_STATIC.
- * Only Pelagic's own build defines PELAGIC_BUILDING. */
+/* Marks what the shared library exports. Applications that link libpelagic.a define PELAGIC_STATIC. Only Pelagic's
+ * own build defines PELAGIC_BUILDING. */
 #if defined(PELAGIC_STATIC)
 #define PELAGIC_API
 #elif defined(_WIN32) || defined(__CYGWIN__)
@@ -77,17 +85,17 @@
 #define PELAGIC_API
 #endif
 
-/* Marks functions that may change in any version. Versions 1.x keep all others: an application runs
- * with the library of its header's version and with every later 1.x. */
+/* Marks functions that may change in any version. Versions 1.x keep all others: an application runs with the library
+ * of its header's version and with every later 1.x. */
 #define PELAGIC_EXPERIMENTAL PELAGIC_API
 
-/* Defines a struct of a type with its struct_size, and 0 in its other fields; or returns it. */
+/* Defines a struct with its struct_size, and 0 in its other fields; or returns it. */
 #define PELAGIC_ZEROS(type, name)  \
     type name;                     \
     memset(&name, 0, sizeof name); \
     name.struct_size = (uint32_t)sizeof name
-#define PELAGIC_RETURN_ZEROS(type) \
-    PELAGIC_ZEROS(type, zeros);    \
+#define PELAGIC_MAKE(type)      \
+    PELAGIC_ZEROS(type, zeros); \
     return zeros
 
 #ifdef __cplusplus
@@ -98,8 +106,7 @@ extern "C" {
 #define PELAGIC_VERSION_MINOR 0
 #define PELAGIC_VERSION_PATCH 0
 
-/* Returns the library's version, major * 10000 + minor * 100 + patch, which may be later than the
- * header's. Threads: any. */
+/* Returns the library's version, major * 10000 + minor * 100 + patch, which may be later than the header's. */
 PELAGIC_API uint32_t pelagic_version(void);
 
 typedef int32_t pelagic_status;
@@ -114,29 +121,21 @@ enum {
     PELAGIC_APPLICATION_ERROR = 6 /* a callback threw or returned too early; the message names it */
 };
 
-/* Returns the message of the last call that failed on this thread: "wind_speed_mps -3 is out of
- * range (0, 60]". The message is one line of UTF-8 without control characters, less than 300 bytes.
- * It is empty before the first failure, and success leaves it unchanged.
- *
- * Threads: any; each thread has its own message.
+/* Returns the message of the last call that failed on this thread: "wind_speed_mps -3 is out of range (0, 60]". It is
+ * one line of UTF-8 without control characters, less than 300 bytes, and empty before the first failure. Success
+ * leaves it unchanged.
  * Lifetime: valid until the next failure on this thread. */
 PELAGIC_API const char* pelagic_last_error(void);
 
-/* Receives each failure, on the thread of the call that is about to return it.
- *
+/* Receives each failure, on the thread of the call that is about to return it. The callback may call Pelagic, except
+ * the function whose failure it receives. Pelagic catches and ignores what the callback throws.
  * user: the pointer given to pelagic_set_error_callback().
- * message: pelagic_last_error().
- *
- * The callback may call Pelagic, except the function whose failure it receives. Pelagic catches and
- * ignores what the callback throws. */
+ * message: pelagic_last_error(). */
 typedef void (*pelagic_error_callback)(void* user, pelagic_status status, const char* message);
 
-/* Sets the error callback of the process, which receives the failures of all threads.
- *
- * callback: NULL for none, as at the start.
- * user: passed to the callback.
- *
- * Threads: any. Calls in progress may still use the previous callback. */
+/* Sets the error callback of the process, which receives the failures of all threads; NULL for none, as at the start.
+ * Calls in progress may still use the previous callback.
+ * user: passed to the callback. */
 PELAGIC_API void pelagic_set_error_callback(pelagic_error_callback callback, void* user);
 
 /* ---- The sea --------------------------------------------------------------------------------- */
@@ -171,8 +170,7 @@ enum {
 };
 /* end of generated */
 
-/* A sea state. Equal values and the same version of Pelagic give bit-identical seas on all
- * machines. */
+/* A sea state. Equal values and the same version of Pelagic give bit-identical seas on all machines. */
 typedef struct pelagic_sea {
     uint32_t struct_size;
     /* generated from schema/sea.toml: c-members */
@@ -239,7 +237,6 @@ typedef struct pelagic_sea {
     double wave_drag; /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
     /* end of generated */
 } pelagic_sea;
-
 /* generated from schema/sea.toml: c-make */
 static inline pelagic_sea pelagic_sea_make(void) {
     PELAGIC_ZEROS(pelagic_sea, sea);
@@ -262,60 +259,40 @@ static inline pelagic_sea pelagic_sea_make(void) {
 /* end of generated */
 
 /* Sets every field but struct_size to those of a preset.
- *
- * name: "calm", "lake", "swell", "moderate", "rough", "storm", "pond", "analytic-calm",
- *   "analytic-moderate" or "analytic-intense", or "beaufort-0" to "beaufort-12".
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an unknown name.
- * Threads: any. */
+ * name: "calm", "lake", "swell", "moderate", "rough", "storm", "pond", "analytic-calm", "analytic-moderate" or
+ *   "analytic-intense", or "beaufort-0" to "beaufort-12". */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
 /* Checks the values of a sea.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if no ocean can be made of it; the message names the first
- *   invalid field.
- * Threads: any. */
+ * Errors: PELAGIC_INVALID_ARGUMENT if no ocean can be made of it; the message names the first invalid field. */
 PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
 
-/* Heights, periods and directions of a sea. Fields that begin with `expected` are means over all
- * seeds, of the waves that the cascades hold. Fields that begin with `realised` belong to the waves
- * of this seed, as a mean over a loop. A value that a sea does not have is 0. */
+/* Heights, periods and directions of a sea. Fields that begin with `expected` are means over all seeds, of the waves
+ * that the cascades hold. Fields that begin with `realised` belong to the waves of this seed, as a mean over a loop.
+ * A value that a sea does not have is 0. */
 typedef struct pelagic_statistics {
-    double expected_wave_height_m; /* significant wave height, 4 sqrt(variance) */
-    double realised_wave_height_m;
-    /* Of all waves of the model; 0 for phillips-paper, which has no scale. */
-    double model_wave_height_m;
-    double expected_peak_period_s; /* period of the maximum of the frequency spectrum */
-    /* Young 1995; with a swell: of the system with the higher peak. */
-    double realised_peak_period_s;
+    double expected_wave_height_m, realised_wave_height_m; /* significant wave height, 4 sqrt(variance) */
+    double model_wave_height_m; /* of all waves of the model; 0 for phillips-paper, which has no scale */
+    /* Period of the maximum of the frequency spectrum. Realised: Young 1995; with a swell that of the system with the
+     * higher peak. */
+    double expected_peak_period_s, realised_peak_period_s;
     double peak_wavelength_m;
-    double expected_tm01_s; /* m0 / m1, m_n = integral f^n S(f) df */
-    double realised_tm01_s;
-    double expected_tm02_s; /* sqrt(m0 / m2), also the mean period of upward zero crossings */
-    double realised_tm02_s;
-    double expected_direction_rad; /* direction waves run towards, from +x to +z, (-pi, pi] */
-    double realised_direction_rad;
-    double expected_spread_rad; /* directional spread, [0, sqrt(2)] */
-    double realised_spread_rad;
-    double slope_variance_along_wind; /* expected, of all cascades */
-    double slope_variance_across_wind;
-    double expected_convergence_variance; /* of Dx,x + Dz,z */
-    double realised_convergence_variance;
-    /* The next six fields are for spectra with a swell; the first four are expected values. */
-    double wind_sea_height_m;
-    double wind_sea_peak_period_s;
-    double swell_height_m;
-    double swell_peak_period_s;
-    double realised_wind_sea_peak_period_s;
-    double realised_swell_peak_period_s;
+    double expected_tm01_s, realised_tm01_s; /* m0 / m1, m_n = integral f^n S(f) df */
+    double expected_tm02_s, realised_tm02_s; /* sqrt(m0 / m2), also the mean period of upward zero crossings */
+    /* Direction waves run towards, from +x to +z; (-pi, pi]. */
+    double expected_direction_rad, realised_direction_rad;
+    double expected_spread_rad, realised_spread_rad; /* directional spread; [0, sqrt(2)] */
+    double slope_variance_along_wind, slope_variance_across_wind;         /* expected, of all cascades */
+    double expected_convergence_variance, realised_convergence_variance; /* of Dx,x + Dz,z */
+    /* Of spectra with a swell: expected values, then realised ones. */
+    double wind_sea_height_m, wind_sea_peak_period_s;
+    double swell_height_m, swell_peak_period_s;
+    double realised_wind_sea_peak_period_s, realised_swell_peak_period_s;
     double effective_fetch_m; /* jonswap: the fetch that has an effect, at most 17,000 U10^2 / g */
     double repeats_after_m;   /* side of the coarsest cascade, the period of the longest waves */
 } pelagic_statistics;
 
-/* Computes statistics of a sea from its spectrum. Takes as long as creating an ocean of the sea.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT as pelagic_sea_check().
- * Threads: any. */
+/* Computes statistics of a sea that pelagic_sea_check() accepts, which takes as long as creating an ocean of it. */
 PELAGIC_API pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics* statistics);
 
 /* ---- Executors ------------------------------------------------------------------------------- */
@@ -328,91 +305,59 @@ enum {
     PELAGIC_EXECUTOR_APPLICATION = 4 /* the application's job system, through callbacks */
 };
 
-/* Calls job(work, i) once for each i in [0, count), on any threads, concurrently or not, and
- * returns after all calls have returned. Written by the application.
- *
+/* Calls job(work, i) once for each i in [0, count), on any threads, concurrently or not, and returns after all calls
+ * have returned. Pelagic calls it several times a frame, from complete() or from a submitted task. Jobs need 512 KiB
+ * of stack, and 1 MiB for N = 2048. A job that finds less runs on a thread created for it, which is slow.
  * user: pelagic_executor_options.user.
- *
- * Pelagic calls it several times a frame, from complete() or from a submitted task. Jobs need
- * 512 KiB of stack, and 1 MiB for N = 2048. A job that finds less runs on a thread created for it,
- * which is slow.
- *
- * Errors: if the function throws, or returns before all jobs are done, Pelagic runs the remaining
- *   jobs and complete() returns PELAGIC_APPLICATION_ERROR. That frame or sea is lost; the ocean
- *   remains usable. A job that is called twice, or after the function has returned, does nothing as
- *   long as the ocean exists. */
+ * Errors: if the function throws, or returns before all jobs are done, Pelagic runs the remaining jobs and complete()
+ *   returns PELAGIC_APPLICATION_ERROR. That frame or sea is lost; the ocean remains usable. A job that is called
+ *   twice, or after the function has returned, does nothing as long as the ocean exists. */
 typedef void (*pelagic_parallel_for)(void* user, size_t count, void (*job)(void* work, size_t index), void* work);
 
-/* Schedules one call of task(work) on another thread and returns immediately. Written by the
- * application.
- *
- * A task may run late, even after the ocean was destroyed. A task that never runs, or runs twice,
- * does no harm.
- *
- * Errors: if the function throws, complete() returns PELAGIC_APPLICATION_ERROR, as for
- *   pelagic_parallel_for. */
+/* Schedules one call of task(work) on another thread and returns immediately. A task may run late, even after the
+ * ocean was destroyed. A task that never runs, or runs twice, does no harm.
+ * Errors: if the function throws, as for pelagic_parallel_for. */
 typedef void (*pelagic_submit)(void* user, void (*task)(void* work), void* work);
 
 typedef struct pelagic_executor_options {
     uint32_t struct_size;
     int32_t kind; /* PELAGIC_EXECUTOR_... */
-    /* Maximum number of threads that work on a frame, the completing thread included; [0, 1024].
-     * With 1 complete() does all work. 0: one per CPU that the process may use by its affinity and
-     * its quota; of PELAGIC_EXECUTOR_THREADS with a mask, of these the CPUs of the mask; of
-     * PELAGIC_EXECUTOR_APPLICATION, 1. */
+    /* Maximum number of threads that work on a frame, the completing thread included; [0, 1024]. With 1 complete()
+     * does all work. 0: one per CPU that the process may use by its affinity and its quota; of
+     * PELAGIC_EXECUTOR_THREADS with a mask, of these the CPUs of the mask; of PELAGIC_EXECUTOR_APPLICATION, 1. */
     int32_t threads;
-    /* For PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i allows the pool's threads
-     * to run on CPU i; 0 allows all CPUs. */
+    /* For PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i lets its threads run on CPU i; 0: all. */
     uint64_t cpu_mask;
     pelagic_parallel_for parallel_for; /* required by PELAGIC_EXECUTOR_APPLICATION */
     pelagic_submit submit;             /* may be NULL: work then begins in complete() */
-    /* Passed to both; must outlive all oceans of this executor. */
-    void* user;
+    void* user;                        /* passed to both; must outlive all oceans of this executor */
 } pelagic_executor_options;
-
-static inline pelagic_executor_options pelagic_executor_options_make(void) {
-    PELAGIC_RETURN_ZEROS(pelagic_executor_options);
-}
+static inline pelagic_executor_options pelagic_executor_options_make(void) { PELAGIC_MAKE(pelagic_executor_options); }
 
 typedef struct pelagic_executor pelagic_executor;
 
 /* Creates an executor, which may serve several oceans.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an unknown or unavailable kind, a value out of range, or a
- *   mask with a kind other than PELAGIC_EXECUTOR_THREADS; PELAGIC_SYSTEM_ERROR if the system cannot
- *   create the threads.
- * Threads: any. */
+ * Errors: PELAGIC_INVALID_ARGUMENT for an unavailable kind, and a mask without PELAGIC_EXECUTOR_THREADS. */
 PELAGIC_API pelagic_status pelagic_executor_create(const pelagic_executor_options* options,
                                                    pelagic_executor** executor);
 
-/* Releases the handle. Oceans that use the executor keep it alive.
- *
- * executor: may be NULL.
- *
- * Threads: one thread per object. */
+/* Releases the handle. Oceans that use the executor keep it alive. */
 PELAGIC_API void pelagic_executor_destroy(pelagic_executor* executor);
 
-/* Sets how long threads look for work before they sleep. 0 saves battery; then frames take longer.
- * Has no effect on executors without threads of their own, or with more threads than cores.
- *
+/* Sets how long threads look for work before they sleep. 0 saves battery; then frames take longer. Has no effect on
+ * executors without threads of their own, or with more threads than cores.
  * us: microseconds; [0, 1000]; 20 at first.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a null pointer or a value out of range.
  * Threads: any. */
 PELAGIC_API pelagic_status pelagic_executor_set_spin_us(pelagic_executor* executor, int32_t us);
 
 /* ---- The ocean ------------------------------------------------------------------------------- */
 
-/* Allocates memory. Written by the application. Must return `bytes` bytes (more than 0) at a
- * multiple of `alignment` (a power of two), or NULL.
- *
+/* Allocates memory. Must return `bytes` bytes (more than 0) at a multiple of `alignment` (a power of two), or NULL.
  * Errors: if it returns NULL, the call that needed the memory returns PELAGIC_OUT_OF_MEMORY.
  * Threads: called on the thread that creates an ocean or schedules another sea of it. */
 typedef void* (*pelagic_allocate)(void* user, size_t bytes, size_t alignment);
 
-/* Releases what pelagic_allocate returned, with equal `bytes` and `alignment`. Written by the
- * application. Must not throw.
- *
+/* Releases what pelagic_allocate returned, with equal `bytes` and `alignment`. Must not throw.
  * Threads: called on the thread that destroys an ocean, or schedules or completes another sea. */
 typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t alignment);
 
@@ -421,34 +366,31 @@ enum { PELAGIC_TEXTURES_DEFAULT = 0, PELAGIC_TEXTURES_ON = 1, PELAGIC_TEXTURES_O
 
 typedef struct pelagic_ocean_options {
     uint32_t struct_size;
-    /* Nonzero enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a
-     * frame. */
+    /* Nonzero enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a frame. */
     int32_t queries;
-    /* Nonzero enables velocities; 12 N^2 bytes for each cascade of a frame, and about twice as many
-     * transforms. */
+    /* Nonzero enables velocities; 12 N^2 bytes for each cascade of a frame, and about twice as many transforms. */
     int32_t velocities;
-    /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
-     * a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
-     * which take as long as ten to twenty frames. 49 N^2 bytes for each cascade. */
+    /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with a tick (five a
+     * second) then takes about twice as long. A jump in time computes 16 ticks, which take as long as ten to twenty
+     * frames. 49 N^2 bytes for each cascade. */
     int32_t foam;
-    /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes
-     * about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
-     * with queries, velocities, dynamic waves, a shore, spray or wave inputs. */
+    /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes about 12 N^2 bytes
+     * less for each cascade; the textures are bit-identical. Cannot be combined with queries, velocities, dynamic
+     * waves, a shore, spray or wave inputs. */
     int32_t textures_only;
-    /* Slopes and moments of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has
-     * 2 or more cascades, with foam, and without gradients. Foam needs them. */
+    /* Slopes and moments of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has 2 or more
+     * cascades, with foam, and without gradients. Foam needs them. */
     int32_t slopes;
-    /* Gradients of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has 1
-     * cascade, and without slopes. Slopes and gradients cannot both be off. */
+    /* Gradients of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has 1 cascade, and without
+     * slopes. Slopes and gradients cannot both be off. */
     int32_t gradients;
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
-    /* "sse4.2", "avx2", "avx512" or "neon"; NULL: the environment variable PELAGIC_ISA, else the
-     * widest that the CPU supports. */
+    /* "sse4.2", "avx2", "avx512" or "neon"; NULL: environment variable PELAGIC_ISA, else the widest of the CPU. */
     const char* isa;
     double query_tolerance_m; /* largest error of a converged point; 0: 0.001, else [1e-6, 1000] */
-    /* Allocator of spectra, planes, textures and maps, which is all memory that grows with N^2.
-     * Both functions or neither; NULL: operator new. Tables, handles and graphs (some 100 KB) and
-     * what executors need, threads and oneTBB, come from operator new. */
+    /* Allocator of spectra, planes, textures and maps, which is all memory that grows with N^2. Both functions or
+     * neither; NULL: operator new. Tables, handles and graphs (some 100 KB) and what executors need, threads and
+     * oneTBB, come from operator new. */
     pelagic_allocate allocate;
     pelagic_release release;
     void* memory_user; /* passed to both; must outlive the ocean */
@@ -456,42 +398,29 @@ typedef struct pelagic_ocean_options {
     const struct pelagic_dynamic_waves_options* dynamic_waves;
     /* A sea floor that refracts waves; NULL: none. Read before the call returns. */
     const struct pelagic_shore_options* shore;
-    /* Spray of breaking crests and emitters; NULL: none. Read before the call returns. A frame with a
-     * tick (eleven a second) computes the displacement once more. 3.8 MB. */
+    /* Spray of breaking crests and emitters; NULL: none. Read before the call returns. A frame with a tick (eleven a
+     * second) computes the displacement once more. 3.8 MB. */
     const struct pelagic_spray_options* spray;
-    /* Wave inputs, which are added to the waves of the wind in this order; none may belong to
-     * another ocean. The ocean keeps what it needs of them. */
+    /* Wave inputs, which are added to the waves of the wind in this order; none may belong to another ocean. The
+     * ocean keeps what it needs of them. */
     size_t input_count;
     struct pelagic_input* const* inputs; /* `input_count` handles; may be NULL if that is 0 */
 } pelagic_ocean_options;
-
-static inline pelagic_ocean_options pelagic_ocean_options_make(void) { PELAGIC_RETURN_ZEROS(pelagic_ocean_options); }
+static inline pelagic_ocean_options pelagic_ocean_options_make(void) { PELAGIC_MAKE(pelagic_ocean_options); }
 
 typedef struct pelagic_ocean pelagic_ocean;
 
-/* Creates an ocean and computes the spectrum of its sea.
- *
- * sea: checked as by pelagic_sea_check().
- * options: may be NULL, which means that all fields are 0.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an invalid sea or option; PELAGIC_SYSTEM_ERROR if the system
- *   cannot create the threads; PELAGIC_APPLICATION_ERROR if a callback of the executor fails.
- * Threads: any. */
+/* Creates an ocean of a sea that pelagic_sea_check() accepts, and computes its spectrum; options may be NULL. */
 PELAGIC_API pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pelagic_ocean_options* options,
                                                 pelagic_ocean** ocean);
 
 /* Waits for work in flight and destroys the ocean. No query may be in progress.
- *
- * ocean: may be NULL.
- *
- * Threads: one thread per ocean.
  * Lifetime: pointers of its frames and the handle of its dynamic waves become invalid. */
 PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
 
-/* A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and
- * commands of dynamic waves use positions in the world. Frames, their hashes and views are in the
- * water's frame, whose origin lies at (current_x_mps t, sea_level_m, current_z_mps t) in the
- * world. */
+/* A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and commands of
+ * dynamic waves use positions in the world. Frames, their hashes and views are in the water's frame, whose origin
+ * lies at (current_x_mps t, sea_level_m, current_z_mps t) in the world. */
 typedef struct pelagic_water_frame {
     uint32_t struct_size;
     /* generated from schema/water_frame.toml: c-members */
@@ -500,7 +429,6 @@ typedef struct pelagic_water_frame {
     double current_z_mps; /* velocity of the water along z; [-10, 10] */
     /* end of generated */
 } pelagic_water_frame;
-
 /* generated from schema/water_frame.toml: c-make */
 static inline pelagic_water_frame pelagic_water_frame_make(void) {
     PELAGIC_ZEROS(pelagic_water_frame, frame);
@@ -508,13 +436,9 @@ static inline pelagic_water_frame pelagic_water_frame_make(void) {
 }
 /* end of generated */
 
-/* Sets the sea level and the current of frames that are scheduled from now on, and the current of
- * the ocean's dynamic waves. All are 0 at first. The current has flowed since t = 0: to change it
- * moves the sea by the change times t.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for any value but 0 with
- *   pelagic_ocean_options.shore.
- * Threads: one thread per ocean. */
+/* Sets the sea level and the current of frames that are scheduled from now on, and the current of the ocean's dynamic
+ * waves. All are 0 at first. The current has flowed since t = 0: to change it moves the sea by the change times t.
+ * Errors: PELAGIC_INVALID_ARGUMENT for any value but 0 with pelagic_ocean_options.shore. */
 PELAGIC_API pelagic_status pelagic_ocean_set_water_frame(pelagic_ocean* ocean, const pelagic_water_frame* water);
 
 typedef struct pelagic_ocean_info {
@@ -526,113 +450,90 @@ typedef struct pelagic_ocean_info {
     int32_t threads;       /* maximum number of threads that work on a frame */
 } pelagic_ocean_info;
 
-/* Writes the properties of an ocean. Threads: one thread per ocean. */
+/* Writes the properties of an ocean. */
 PELAGIC_API pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_info* info);
 
 /* ---- Frames ---------------------------------------------------------------------------------- */
 
 /* A square array of floats in blocks of a few columns. Texel (i, j), column i and row j, is
- * data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides are in
- * floats. The number of columns in a block depends on the instruction set. */
+ * data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides are in floats. The number of
+ * columns in a block depends on the instruction set. */
 typedef struct pelagic_plane {
     const float* data; /* NULL if the ocean was made without this plane */
-    int32_t resolution;
-    int32_t block_columns;
-    ptrdiff_t row_stride;
-    ptrdiff_t block_stride;
+    int32_t resolution, block_columns;
+    ptrdiff_t row_stride, block_stride;
 } pelagic_plane;
 
-/* Extremes of displacements, for culling boxes. Those of a cascade are exact. Those of a frame are
- * the sums over its cascades, whose extremes need not coincide: upper bounds, exact if
- * cascade_count is 1. */
+/* Extremes of displacements, for culling boxes. Those of a cascade are exact. Those of a frame are the sums over its
+ * cascades, whose extremes need not coincide: upper bounds, exact if cascade_count is 1. */
 typedef struct pelagic_bounds {
-    float height_min_m;
-    float height_max_m;
-    float horizontal_x_max_m; /* largest |Dx| */
-    float horizontal_z_max_m; /* largest |Dz| */
+    float height_min_m, height_max_m;
+    float horizontal_x_max_m, horizontal_z_max_m; /* largest |Dx| and |Dz| */
 } pelagic_bounds;
 
-/* A frame, which is a stack of cascades, the coarsest first. The planes and textures here are those
- * of the first cascade, which is the whole frame if cascade_count is 1. Texel (i, j) then has the
- * undisplaced position x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz), in
- * metres. With more cascades, see pelagic_cascade. */
+/* A frame, which is a stack of cascades, the coarsest first. The planes and textures here are those of the first
+ * cascade, which is the whole frame if cascade_count is 1. Texel (i, j) then has the undisplaced position
+ * x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz), in metres. With more cascades, see
+ * pelagic_cascade. */
 typedef struct pelagic_frame {
     int32_t resolution; /* N */
     int32_t cascade_count;
     double time_s;
     double patch_size_m; /* L, the first cascade's side */
     pelagic_plane dx, height, dz;
-    /* In m/s; with pelagic_ocean_options.velocities. */
-    pelagic_plane velocity_x, velocity_y, velocity_z;
-    /* N^2 texels of four IEEE half floats in tight rows of 8 N bytes: Dx, height, Dz, 0. The layout
-     * is that of GL_RGBA16F with GL_HALF_FLOAT and of VK_FORMAT_R16G16B16A16_SFLOAT. NULL if it was
-     * written to texture targets. */
+    pelagic_plane velocity_x, velocity_y, velocity_z; /* in m/s; with pelagic_ocean_options.velocities */
+    /* N^2 texels of four IEEE half floats in tight rows of 8 N bytes: Dx, height, Dz, 0. The layout is that of
+     * GL_RGBA16F with GL_HALF_FLOAT and of VK_FORMAT_R16G16B16A16_SFLOAT. NULL if written to texture targets. */
     const uint16_t* displacement_rgba16f;
-    /* A mipmap chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, in tight rows of
-     * 4 bytes a texel: normal x, normal z, Jacobian, smoothness. GL_RGBA8,
-     * VK_FORMAT_R8G8B8A8_UNORM. Level m begins at texel gradient_offset[m]. NULL and no levels if
-     * absent, see pelagic_cascade. */
+    /* A mipmap chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, in tight rows of 4 bytes a texel:
+     * normal x, normal z, Jacobian, smoothness. GL_RGBA8, VK_FORMAT_R8G8B8A8_UNORM. Level m begins at texel
+     * gradient_offset[m]. NULL and no levels if absent, see pelagic_cascade. */
     const uint32_t* gradient_rgba8;
-    /* Drift velocity of foam in the world's axes, by wind and waves. */
-    double foam_drift_x_mps, foam_drift_z_mps;
+    double foam_drift_x_mps, foam_drift_z_mps; /* drift velocity of foam, by wind and waves; world's axes */
     int32_t gradient_levels;
     uint32_t gradient_offset[12];
     pelagic_bounds bounds; /* of the sum of all cascades */
-    /* GGX's alpha of unresolved waves, in [0, 1]: its square is the mean square of the slopes that
-     * no cascade holds. Smoothness is 1 - sqrt(roughness). */
+    /* GGX's alpha of unresolved waves, in [0, 1]: its square is the mean square of the slopes that no cascade holds.
+     * Smoothness is 1 - sqrt(roughness). */
     float roughness;
-    /* Foam, see pelagic_cascade. The level is 1000 if the sea has no whitecaps, and without
-     * pelagic_ocean_options.foam. */
-    float foam_level;
+    float foam_level;   /* see pelagic_cascade; 1000 without foam, and if the sea has no whitecaps */
     float foam_age[16]; /* 1 and more: the snapshot has no effect */
 } pelagic_frame;
 
-/* A cascade: a wavelength band and its square domain, which repeats along its own two axes. The
- * displacements of a frame are the sums over its cascades: the water with the undisplaced position
- * (x, z) is drawn at (x + Dx, height, z + Dz).
+/* A cascade: a wavelength band and its square domain, which repeats along its own two axes. The displacements of a
+ * frame are the sums over its cascades: the water with the undisplaced position (x, z) is drawn at
+ * (x + Dx, height, z + Dz).
  *
- * Positions. L being side_m and N the resolution, texel (i, j), column i and row j, has the
- * undisplaced position
- *
+ * Positions. L being side_m and N the resolution, texel (i, j), column i and row j, has the undisplaced position
  *   x = (cosine i - sine j) L / N,  z = (sine i + cosine j) L / N.
- *
  * So (x, z) lies at column u N and row v N, both modulo N, with
- *
  *   u = (cosine x + sine z) / L,  v = (cosine z - sine x) / L.
- *
  * In a repeating texture, whose texel centres are half a texel in, the texture coordinate is
- * (u + 0.5 / N, v + 0.5 / N) at every level. Texels hold values in the world's axes, whatever the
- * rotation.
+ * (u + 0.5 / N, v + 0.5 / N) at every level. Texels hold values in the world's axes, whatever the rotation.
  *
- * Slopes. The normal and Jacobian of a sum of cascades are not the sums of theirs, but the
- * derivatives are. Filtering and mipmaps may be applied before the sum. Two chains like
- * gradient_rgba8 hold derivatives, four bytes a texel from the lowest up:
- *
+ * Slopes. The normal and Jacobian of a sum of cascades are not the sums of theirs, but the derivatives are. Filtering
+ * and mipmaps may be applied before the sum. Two chains like gradient_rgba8 hold derivatives, four bytes a texel from
+ * the lowest up:
  *   slopes_rgba8   h_x, h_z, D_xx, D_zz         (byte - 128) / 127 * slope_range each
  *   moments_rgba8  D_xz                         (byte - 128) / 127 * slope_range
  *                  var_xx, var_zz               byte / 255 * variance_range
  *                  cov_xz                       (byte - 128) / 127 * variance_range
- *
- * A texture sample returns byte / 255. h_x is the derivative of the height along x at the
- * undisplaced position. D_xz is the derivative of Dx along z, which equals that of Dz along x. The
- * variances are those of h_x and h_z within a texel, for roughness (LEAN mapping, Olano and Baker
- * 2010): GGX's alpha^2 is var_xx + var_zz + pelagic_frame.roughness^2. With each quantity summed
- * over the cascades, the Jacobian J and an unnormalised normal n are
- *
+ * A texture sample returns byte / 255. h_x is the derivative of the height along x at the undisplaced position. D_xz
+ * is the derivative of Dx along z, which equals that of Dz along x. The variances are those of h_x and h_z within a
+ * texel, for roughness (LEAN mapping, Olano and Baker 2010): GGX's alpha^2 is
+ * var_xx + var_zz + pelagic_frame.roughness^2. With each quantity summed over the cascades, the Jacobian J and an
+ * unnormalised normal n are
  *   J = (1 + D_xx) (1 + D_zz) - D_xz^2,
  *   n = (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)).
  *
  * Water breaks where the sum of the cascades does. A byte b of compression is q = -3 + 8 b / 255:
- * b = compression_r8[texel] now, and b = byte s % 4 (from the lowest) of a texel of
- * snapshots_rgba8[s / 4] for snapshot s of 16. Let S_s be the sum over the cascades of the q of
- * snapshot s, and S that of the q now. The foam at a position is the largest of
- *
+ * b = compression_r8[texel] now, and b = byte s % 4 (from the lowest) of a texel of snapshots_rgba8[s / 4] for
+ * snapshot s of 16. Let S_s be the sum over the cascades of the q of snapshot s, and S that of the q now. The foam at
+ * a position is the largest of
  *   clamp(1/2 + (S - foam_level) / 0.3, 0, 1)  and
  *   clamp(1/2 + (S_s - foam_level) / 0.3, 0, 1) - foam_age[s],
- *
- * where foam_level and foam_age are members of pelagic_frame. Snapshots drift: water at texel
- * (i, j) has those of texel (i - drift_columns, j - drift_rows). Images 0 and 1 hold every second
- * snapshot, and a cheap reader may use these alone. */
+ * where foam_level and foam_age are members of pelagic_frame. Snapshots drift: water at texel (i, j) has those of
+ * texel (i - drift_columns, j - drift_rows). Images 0 and 1 hold every second snapshot, enough for a cheap reader. */
 typedef struct pelagic_cascade {
     int32_t resolution; /* N */
     int32_t levels;     /* number of levels of each chain that is not NULL */
@@ -644,104 +545,69 @@ typedef struct pelagic_cascade {
     pelagic_plane velocity_x, velocity_y, velocity_z;
     const uint16_t* displacement_rgba16f;
     const uint32_t* gradient_rgba8;
-    /* NULL without pelagic_ocean_options.slopes. */
-    const uint32_t *slopes_rgba8, *moments_rgba8;
-    /* N^2 bytes in tight rows, and four chains of `levels` levels. NULL without
-     * pelagic_ocean_options.foam, and for a cascade that makes no foam. */
+    const uint32_t *slopes_rgba8, *moments_rgba8; /* NULL without pelagic_ocean_options.slopes */
+    /* N^2 bytes in tight rows, and four chains of `levels` levels. NULL without pelagic_ocean_options.foam, and for a
+     * cascade that makes no foam. */
     const uint8_t* compression_r8;
     const uint32_t* snapshots_rgba8[4];
-    /* Differs whenever an image of snapshots differs, in all oceans of the process. About five
-     * times a second one image changes. */
+    /* Differs whenever an image differs, in all oceans of the process. One changes about five times a second. */
     uint64_t snapshots_version[4];
     double drift_columns, drift_rows; /* texels, [0, N) */
     uint32_t level_offset[12];        /* first texel of level m in each chain */
     pelagic_bounds bounds;
     float slope_range, variance_range;
-    /* q over -(D_xx + D_zz) of this cascade: the compression of slopes_rgba8. */
-    float compression_scale;
+    float compression_scale; /* q over -(D_xx + D_zz) of this cascade: the compression of slopes_rgba8 */
 } pelagic_cascade;
 
 /* Starts a frame and returns immediately.
- *
  * time_s: any finite time, in any order. A frame is a pure function of the sea and the time, and
  *   time_s + n * loop_period_s gives a bit-identical frame.
- *
- * A frame with N up to 64, and any frame of an executor without threads, is computed in complete().
- * The call waits for queries that began before the last complete(), because it overwrites the frame
- * that they read.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a time that is not finite; PELAGIC_WRONG_ORDER if a frame is
- *   in flight.
- * Threads: one thread per ocean. */
+ * A frame with N up to 64, and any frame of an executor without threads, is computed in complete(). The call waits
+ * for queries that began before the last complete(), because it overwrites the frame that they read.
+ * Errors: PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s);
 
-/* Memory of the application, for instance a mapped pixel buffer, that receives the textures of a
- * cascade: an array of cascade_count structs, as for pelagic_frame_buffers.
- * A texture whose pointer is NULL is part of the frame. Each byte is written once, in rows of whole
- * registers, and never read, so the memory may be write-combined. */
+/* Memory of the application, for instance a mapped pixel buffer, that receives the textures of a cascade: an array of
+ * cascade_count structs, as for pelagic_frame_buffers. A texture whose pointer is NULL is part of the frame. Each
+ * byte is written once, in rows of whole registers, and never read, so the memory may be write-combined. */
 typedef struct pelagic_texture_targets {
     uint32_t struct_size;
-    /* First struct: cascades of the frame, 0 for one. Other structs: 0. */
-    uint32_t cascade_count;
+    uint32_t cascade_count;         /* first struct: cascades of the frame, 0 for one; other structs: 0 */
     uint16_t* displacement_rgba16f; /* 4 N^2 in tight rows, at a multiple of 64 bytes */
-    /* Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes. All levels of a chain, or
-     * none. */
+    /* Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes. All levels of a chain, or none. */
     uint32_t* gradient_rgba8[12];
     uint32_t *slopes_rgba8[12], *moments_rgba8[12];
 } pelagic_texture_targets;
-
-static inline pelagic_texture_targets pelagic_texture_targets_make(void) {
-    PELAGIC_RETURN_ZEROS(pelagic_texture_targets);
-}
+static inline pelagic_texture_targets pelagic_texture_targets_make(void) { PELAGIC_MAKE(pelagic_texture_targets); }
 
 /* Starts a frame as pelagic_ocean_schedule(), with textures in memory of the application.
- *
- * targets: an array with one struct for each cascade; the memory must stay valid until complete()
- *   returns. In the frame and its cascades the pointers of these textures are NULL, and
- *   pelagic_ocean_hash() leaves the textures out.
- *
- * Errors: as pelagic_ocean_schedule(); PELAGIC_INVALID_ARGUMENT for textures that the ocean was
- *   made without.
- * Threads: one thread per ocean. */
+ * targets: an array with one struct for each cascade; the memory must stay valid until complete() returns. In the
+ *   frame and its cascades the pointers of these textures are NULL, and pelagic_ocean_hash() leaves the textures out.
+ * Errors: as pelagic_ocean_schedule(). */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
                                                        const pelagic_texture_targets* targets);
 
-/* Reports whether complete() would return without waiting for other threads. Never blocks.
- *
- * is_ready: receives 1 if complete() would not wait or no frame is in flight, else 0.
- *
- * Do not spin on it: if other work occupies the threads, complete() may have to do the work.
- *
- * Threads: one thread per ocean. */
+/* Reports whether complete() would return without waiting for other threads. Never blocks. Do not spin on it: if
+ * other work occupies the threads, complete() may have to do the work.
+ * is_ready: receives 1 if complete() would not wait or no frame is in flight, else 0. */
 PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready);
 
-/* Completes the frame in flight and writes its description. The calling thread takes part in the
- * work.
- *
- * Errors: PELAGIC_WRONG_ORDER if no frame is in flight. The frame is lost, and another may be
- *   scheduled, after three errors: PELAGIC_INVALID_ARGUMENT if a wave input wrote a value out of
- *   range; PELAGIC_APPLICATION_ERROR if a callback failed; PELAGIC_SYSTEM_ERROR if a job needed a
- *   thread with a larger stack and the system had none.
- * Threads: one thread per ocean.
- * Lifetime: what `frame` points to stays valid until the second schedule from now, or until
- *   pelagic_ocean_destroy(). So it remains valid while the next frame is computed. */
+/* Completes the frame in flight and writes its description. The calling thread takes part in the work.
+ * Errors: PELAGIC_WRONG_ORDER if no frame is in flight. The frame is lost, and another may be scheduled, after three
+ *   errors: PELAGIC_INVALID_ARGUMENT if a wave input wrote a value out of range; PELAGIC_APPLICATION_ERROR if a
+ *   callback failed; PELAGIC_SYSTEM_ERROR if a job needed a thread with a larger stack and the system had none.
+ * Lifetime: what `frame` points to stays valid until the second schedule from now, or until pelagic_ocean_destroy().
+ *   So it remains valid while the next frame is computed. */
 PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
 
-/* Writes the description of a cascade of the frame completed last, also while the next frame is
- * computed.
- *
- * index: 0 is the coarsest cascade.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if `index` is not in [0, cascade_count); PELAGIC_WRONG_ORDER
- *   before the first frame.
- * Threads: one thread per ocean.
- * Lifetime: what `cascade` points to is valid as long as the frame's pointers. */
+/* Writes the description of a cascade of the frame completed last, also while the next frame is computed. What it
+ * points to is valid as long as the frame's pointers.
+ * index: [0, cascade_count); 0 is the coarsest cascade. */
 PELAGIC_API pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, pelagic_cascade* cascade);
 
-/* Memory that receives the planes and textures of a cascade. A NULL pointer leaves that array out.
- * Counts are exact, in elements. Rows are tight: texel (i, j) is element j N + i. A
- * frame needs an array of these structs, one for each cascade. All have the struct_size of the
- * first, whose cascade_count is their number. */
+/* Memory that receives the planes and textures of a cascade. A NULL pointer leaves that array out. Counts are exact,
+ * in elements. Rows are tight: texel (i, j) is element j N + i. A frame needs an array of these structs, one for each
+ * cascade. All have the struct_size of the first, whose cascade_count is their number. */
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
     uint32_t cascade_count; /* first struct: cascades of the frame, 0 for one; other structs: 0 */
@@ -755,126 +621,91 @@ typedef struct pelagic_frame_buffers {
     size_t slopes_count; /* the length of each of the two chains, equal to rgba8_count */
     uint32_t *slopes_rgba8, *moments_rgba8;
 } pelagic_frame_buffers;
+static inline pelagic_frame_buffers pelagic_frame_buffers_make(void) { PELAGIC_MAKE(pelagic_frame_buffers); }
 
-static inline pelagic_frame_buffers pelagic_frame_buffers_make(void) { PELAGIC_RETURN_ZEROS(pelagic_frame_buffers); }
-
-/* Copies the frame completed last, also while the next frame is computed. Planes are written in
- * tight rows, and chains with all levels.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for arrays that the ocean was made without, and for wrong
- *   counts; PELAGIC_WRONG_ORDER before the first frame.
- * Threads: one thread per ocean. */
+/* Copies the frame completed last, also while the next frame is computed. Planes are written in tight rows, and
+ * chains with all levels.
+ * Errors: PELAGIC_INVALID_ARGUMENT for wrong counts. */
 PELAGIC_API pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers);
 
 /* Computes a frame synchronously and writes it to the caller's memory; for servers and replays.
- *
  * time_s: any finite time.
  * bounds: receives the frame's bounds; may be NULL.
- *
- * The frame completed last stays valid, and queries continue to read it. Before the first
- * pelagic_ocean_complete(), queries, cascade, copy and hash read the frame computed here.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT as pelagic_ocean_copy(); otherwise as pelagic_ocean_schedule()
- *   and pelagic_ocean_complete().
- * Threads: one thread per ocean. */
+ * The frame completed last stays valid, and queries continue to read it. Before the first pelagic_ocean_complete(),
+ * queries, cascade, copy and hash read the frame computed here.
+ * Errors: as pelagic_ocean_copy(), pelagic_ocean_schedule() and pelagic_ocean_complete(). */
 PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s,
                                                   const pelagic_frame_buffers* buffers, pelagic_bounds* bounds);
 
-/* Computes the 64-bit hash of the outputs of the frame completed last. Equal hashes on two machines
- * mean bit-identical seas. Frames with and without planes have different hashes.
- *
- * Errors: PELAGIC_WRONG_ORDER before the first frame.
- * Threads: one thread per ocean. */
+/* Computes the hash of the outputs of the frame completed last, without its velocities, foam, shore, dynamic waves
+ * and droplets. Frames with and without planes have different hashes. */
 PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* Computes the 64-bit hash of the foam of the frame's cascades, which pelagic_ocean_hash() leaves
- * out.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.foam; PELAGIC_WRONG_ORDER before
- *   the first frame.
- * Threads: one thread per ocean. */
+/* Computes the hash of the foam of the frame's cascades. */
 PELAGIC_API pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* ---- Another sea ----------------------------------------------------------------------------- */
 
-/* Starts to compute the spectrum of another sea. Frames show the current sea until
+/* Starts to compute the spectrum of another sea; a frame may be in flight. Frames show the current sea until
  * pelagic_ocean_complete_sea().
- *
  * sea: must have the ocean's resolution, number of cascades and kind of waves (pond or not).
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an invalid or incompatible sea, and for an ocean with a
- *   shore; PELAGIC_WRONG_ORDER if another sea is being computed.
- * Threads: one thread per ocean; a frame may be in flight. */
+ * Errors: PELAGIC_INVALID_ARGUMENT for an invalid or incompatible sea, and for an ocean with a shore;
+ *   PELAGIC_WRONG_ORDER if another sea is being computed. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea);
 
-/* Reports whether pelagic_ocean_complete_sea() would return without waiting for other threads.
- * Never blocks.
- *
- * is_ready: receives 1 if it would not wait or no sea is being computed, else 0.
- *
- * Threads: one thread per ocean. */
+/* Reports whether pelagic_ocean_complete_sea() would return without waiting for other threads. Never blocks.
+ * is_ready: receives 1 if it would not wait or no sea is being computed, else 0. */
 PELAGIC_API pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready);
 
-/* Waits for the spectrum and makes the new sea current, for frames scheduled from now on. Discards
- * all changes of the forecast.
- *
- * Errors: PELAGIC_WRONG_ORDER if no sea is being computed or a frame is in flight;
- *   PELAGIC_APPLICATION_ERROR if a callback failed: the old sea remains current.
- * Threads: one thread per ocean. */
+/* Waits for the spectrum and makes the new sea current, for frames scheduled from now on. Discards all changes of the
+ * forecast.
+ * Errors: PELAGIC_WRONG_ORDER if no sea is being computed or a frame is in flight; PELAGIC_APPLICATION_ERROR if a
+ *   callback failed: the old sea remains current. */
 PELAGIC_API pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean);
 
 /* ---- Forecasts ------------------------------------------------------------------------------- */
 
-/* A sea-state transition. The energy of each wave changes smoothly from one sea to the next, and a
- * frame remains a pure function of the forecast and the time, in any order. */
+/* A sea-state transition. The energy of each wave changes smoothly from one sea to the next, and a frame remains a
+ * pure function of the forecast and the time, in any order. */
 typedef struct pelagic_change {
     uint32_t struct_size;
     const pelagic_sea* sea; /* the sea after the transition; read before the call returns */
     double from_s;          /* start; not before the end of the preceding change */
     double over_s;          /* duration; (0, 1e9] */
-    /* Distance to the origin of the swell; [1e3, 2e7], or 0: all waves change together. Long waves
-     * arrive first, by their group velocities, and each changes over over_s. */
+    /* Distance to the origin of the swell; [1e3, 2e7], or 0: all waves change together. Long waves arrive first, by
+     * their group velocities, and each changes over over_s. */
     double swell_from_m;
 } pelagic_change;
+static inline pelagic_change pelagic_change_make(void) { PELAGIC_MAKE(pelagic_change); }
 
-static inline pelagic_change pelagic_change_make(void) { PELAGIC_RETURN_ZEROS(pelagic_change); }
-
-/* A sea and its transitions. All seas have equal numbers and kinds of cascades, resolution,
- * depth_m, loop_period_s and seed. */
+/* A sea and its transitions. All seas have equal numbers and kinds of cascades, resolution, depth_m, loop_period_s
+ * and seed. */
 typedef struct pelagic_forecast {
     uint32_t struct_size;
     uint32_t change_count;
     const pelagic_sea* first; /* the sea before the first change */
-    /* change_count structs in order of time, all of the struct_size of the first; NULL if there are
-     * none. */
+    /* change_count structs in order of time, all of the struct_size of the first; NULL if there are none. */
     const pelagic_change* changes;
-    /* Longest peak wavelength that the cascades can hold, which limits later changes; (0, 1e5]. 0:
-     * the longest of these seas. Ignored if patch_size_m is set. */
+    /* Longest peak wavelength that the cascades can hold, which limits later changes; (0, 1e5]. 0: the longest of
+     * these seas. Ignored if patch_size_m is set. */
     double largest_peak_m;
 } pelagic_forecast;
+static inline pelagic_forecast pelagic_forecast_make(void) { PELAGIC_MAKE(pelagic_forecast); }
 
-static inline pelagic_forecast pelagic_forecast_make(void) { PELAGIC_RETURN_ZEROS(pelagic_forecast); }
-
-/* Creates an ocean with a forecast. The spectra of later seas are computed together with frames,
- * before frames need them. After a jump in time a frame may wait for one.
- *
- * options: may be NULL, which means that all fields are 0.
- *
- * Errors: as pelagic_ocean_create(); PELAGIC_INVALID_ARGUMENT for an invalid forecast.
- * Threads: any. */
+/* Creates an ocean with a forecast. The spectra of later seas are computed together with frames, before frames need
+ * them. After a jump in time a frame may wait for one.
+ * options: may be NULL.
+ * Errors: as pelagic_ocean_create(); PELAGIC_INVALID_ARGUMENT for an invalid forecast. */
 PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast* forecast,
                                                          const pelagic_ocean_options* options, pelagic_ocean** ocean);
 
-/* Appends a change to the forecast, whose spectrum is computed together with frames from now on.
- * The ocean keeps the last two changes: frames of earlier times show the oldest sea that it has.
- * The call takes about 2 ms. A change from before the frame that was scheduled last starts at that
- * frame's time, so that the water does not jump; pelagic_ocean_frame_at() with a frame completed
- * before does not count. That time differs between peers: schedule changes that begin after every
- * peer's frame.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an invalid change, and for an ocean with a shore;
- *   PELAGIC_WRONG_ORDER between pelagic_ocean_schedule_sea() and pelagic_ocean_complete_sea().
- * Threads: one thread per ocean; a frame may be in flight. */
+/* Appends a change to the forecast, whose spectrum is computed together with frames from now on; a frame may be in
+ * flight. The call takes about 2 ms. The ocean keeps the last two changes: frames of earlier times show the oldest
+ * sea that it has. A change from before the frame that was scheduled last starts at that frame's time, so that the
+ * water does not jump; pelagic_ocean_frame_at() with a frame completed before does not count. That time differs
+ * between peers: schedule changes that begin after every peer's frame.
+ * Errors: PELAGIC_INVALID_ARGUMENT for an invalid change, and for an ocean with a shore; PELAGIC_WRONG_ORDER between
+ *   pelagic_ocean_schedule_sea() and pelagic_ocean_complete_sea(). */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, const pelagic_change* change);
 
 /* ---- Dynamic waves --------------------------------------------------------------------------- */
@@ -890,9 +721,8 @@ enum {
 };
 /* end of generated */
 
-/* Frames, bounds and queries of an ocean include its dynamic waves. The waves advance in ticks of a
- * fixed length. Equal commands between frames of equal times give bit-identical waves on every
- * machine. */
+/* Frames, bounds and queries of an ocean include its dynamic waves. The waves advance in ticks of a fixed length.
+ * Equal commands between frames of equal times give bit-identical waves on every machine. */
 typedef struct pelagic_dynamic_waves_options {
     uint32_t struct_size;
     /* generated from schema/dynamic_waves.toml: c-members */
@@ -912,7 +742,6 @@ typedef struct pelagic_dynamic_waves_options {
     double foam_height_m; /* foam begins above this height and is full at twice it; [0.001, 100] */
     /* end of generated */
 } pelagic_dynamic_waves_options;
-
 /* generated from schema/dynamic_waves.toml: c-make */
 static inline pelagic_dynamic_waves_options pelagic_dynamic_waves_options_make(void) {
     PELAGIC_ZEROS(pelagic_dynamic_waves_options, options);
@@ -971,7 +800,6 @@ typedef struct pelagic_disturbance {
     double velocity_x_mps, velocity_z_mps;
     /* end of generated */
 } pelagic_disturbance;
-
 /* generated from schema/disturbance.toml: c-make */
 static inline pelagic_disturbance pelagic_disturbance_make(void) {
     PELAGIC_ZEROS(pelagic_disturbance, disturbance);
@@ -982,10 +810,10 @@ static inline pelagic_disturbance pelagic_disturbance_make(void) {
 }
 /* end of generated */
 
-/* Dynamic waves: wakes, ripples and splashes on a grid around a point that the application sets.
- * Commands are add_impulse, add_source, set_source, remove_source, set_center and set_rain. They
- * take effect in the order of the calls, at the next pelagic_dynamic_waves_advance(). For the waves
- * of an ocean that is its next schedule, whether or not a frame is in flight. */
+/* Dynamic waves: wakes, ripples and splashes on a grid around a point that the application sets. Commands are
+ * add_impulse, add_source, set_source, remove_source, set_center and set_rain. They take effect in the order of the
+ * calls, at the next pelagic_dynamic_waves_advance(). For the waves of an ocean that is its next schedule, whether or
+ * not a frame is in flight. */
 typedef struct pelagic_dynamic_waves pelagic_dynamic_waves;
 
 typedef struct pelagic_dynamic_waves_resources {
@@ -996,90 +824,55 @@ typedef struct pelagic_dynamic_waves_resources {
     pelagic_release release;
     void* memory_user; /* passed to both; must outlive the waves */
 } pelagic_dynamic_waves_resources;
-
 static inline pelagic_dynamic_waves_resources pelagic_dynamic_waves_resources_make(void) {
-    PELAGIC_RETURN_ZEROS(pelagic_dynamic_waves_resources);
+    PELAGIC_MAKE(pelagic_dynamic_waves_resources);
 }
 
-/* Creates dynamic waves without an ocean.
- *
- * resources: may be NULL, which means that all fields are 0.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an option out of range; PELAGIC_SYSTEM_ERROR if the system
- *   cannot create the threads.
- * Threads: any. */
+/* Creates dynamic waves without an ocean; resources may be NULL. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_create(const pelagic_dynamic_waves_options* options,
                                                         const pelagic_dynamic_waves_resources* resources,
                                                         pelagic_dynamic_waves** waves);
 
-/* Destroys what pelagic_dynamic_waves_create() made, after waiting for work in flight.
- *
- * waves: may be NULL. The waves of an ocean are ignored; the ocean destroys them.
- *
- * Threads: one thread per object. */
+/* Waits for work in flight and destroys what pelagic_dynamic_waves_create() made. Ignores the waves of an ocean. */
 PELAGIC_API void pelagic_dynamic_waves_destroy(pelagic_dynamic_waves* waves);
 
-/* Returns the waves of pelagic_ocean_options.dynamic_waves. The ocean owns them and advances them
- * with its frames.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT without that option.
- * Threads: one thread per ocean. One thread at a time calls functions of the ocean or its waves.
- * Lifetime: valid until pelagic_ocean_destroy(). */
+/* Returns the waves of pelagic_ocean_options.dynamic_waves, which the ocean owns and advances with its frames. */
 PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(pelagic_ocean* ocean, pelagic_dynamic_waves** waves);
 
-/* Enqueues a disturbance that acts once, in the next tick.
- *
- * At most 4096 impulses wait for a tick. Impulses before an advance to a time that is not later than
- * the one before are provisional: the next such advance with impulses replaces them.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and for too many impulses.
- * Threads: one thread per object. */
+/* Enqueues a disturbance that acts once, in the next tick. At most 4096 impulses wait for a tick. Impulses before an
+ * advance to a time that is not later than the one before are provisional: the next such advance with impulses
+ * replaces them.
+ * Errors: PELAGIC_INVALID_ARGUMENT for too many impulses. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_add_impulse(pelagic_dynamic_waves* waves,
                                                              const pelagic_disturbance* disturbance);
 
-/* Adds a source, which acts in every tick and moves at its velocity, until it is removed. At most
- * 4096 sources exist at once.
- *
+/* Adds a source, which acts in every tick and moves at its velocity, until it is removed. At most 4096 sources exist
+ * at once.
  * number: receives the source's number, which is never reused.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and for too many sources.
- * Threads: one thread per object. */
+ * Errors: PELAGIC_INVALID_ARGUMENT for too many sources. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_add_source(pelagic_dynamic_waves* waves,
                                                             const pelagic_disturbance* source, uint32_t* number);
 
-/* Replaces a source from the next tick on. Does nothing if no source has that number.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: one thread per object. */
+/* Replaces a source from the next tick on. Does nothing if no source has that number. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_source(pelagic_dynamic_waves* waves, uint32_t number,
                                                             const pelagic_disturbance* source);
 
-/* Removes a source. Does nothing if no source has that number. Threads: one thread per object. */
+/* Removes a source. Does nothing if no source has that number. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_remove_source(pelagic_dynamic_waves* waves, uint32_t number);
 
 /* Moves the grid's centre to within half a texel of a point. Texels that enter the grid are flat.
- *
- * x_m, z_m: [-1e8, 1e8].
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: one thread per object. */
+ * x_m, z_m: [-1e8, 1e8]. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_center(pelagic_dynamic_waves* waves, double x_m, double z_m);
 
-/* Sets the current, which carries the grid. Positions and velocities of commands are then in the
- * world, and those of views in the water's frame. Set the centre again to keep the grid at a point.
- * pelagic_ocean_set_water_frame() sets the current of an ocean's waves. A saved state does not
- * include it.
- *
- * x_mps, z_mps: [-10, 10].
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: one thread per object. */
+/* Sets the current, which carries the grid. Positions and velocities of commands are then in the world, and those of
+ * views in the water's frame. Set the centre again to keep the grid at a point. pelagic_ocean_set_water_frame() sets
+ * the current of an ocean's waves. A saved state does not include it.
+ * x_mps, z_mps: [-10, 10]. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_current(pelagic_dynamic_waves* waves, double x_mps,
                                                              double z_mps);
 
-/* Rain. Each drop adds a crater and a rim of equal volume, height_m (q - 1) e^-q with
- * q = (r / radius_m)^2. The drops depend only on the seed, the tick and the position in the
- * world. */
+/* Rain. Each drop adds a crater and a rim of equal volume, height_m (q - 1) e^-q with q = (r / radius_m)^2. The drops
+ * depend only on the seed, the tick and the position in the world. */
 typedef struct pelagic_rain {
     uint32_t struct_size;
     /* generated from schema/rain.toml: c-members */
@@ -1093,7 +886,6 @@ typedef struct pelagic_rain {
     double height_m; /* depth of a crater; [-10, 10] */
     /* end of generated */
 } pelagic_rain;
-
 /* generated from schema/rain.toml: c-make */
 static inline pelagic_rain pelagic_rain_make(void) {
     PELAGIC_ZEROS(pelagic_rain, rain);
@@ -1104,27 +896,20 @@ static inline pelagic_rain pelagic_rain_make(void) {
 }
 /* end of generated */
 
-/* Sets the rain from the next tick on. Saved states include it.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: one thread per object. */
+/* Sets the rain from the next tick on. Saved states include it. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, const pelagic_rain* rain);
 
-/* Computes the ticks up to a time. A time before that of the last call computes no tick,
- * and later ticks are counted from it. A jump ahead computes the ticks of at most half a second.
- *
+/* Computes the ticks up to a time. A time before that of the last call computes no tick, and later ticks are counted
+ * from it. A jump ahead computes the ticks of at most half a second.
  * time_s: finite.
- *
- * Errors: PELAGIC_WRONG_ORDER for the waves of an ocean, whose frames advance them;
- *   PELAGIC_INVALID_ARGUMENT for a time that is not finite.
- * Threads: one thread per object. */
+ * Errors: PELAGIC_WRONG_ORDER for the waves of an ocean, whose frames advance them. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, double time_s);
 
-/* The grid of dynamic waves, whose height adds to that of the cascades at the drawn position,
- * x = undisplaced x + Dx and z alike.
+/* The grid of dynamic waves, whose height adds to that of the cascades at the drawn position, x = undisplaced x + Dx
+ * and z alike.
  *
- * Texel (i, j) of the world's grid has the position x = i texel_m, z = j texel_m. It is in column
- * i mod N of row j mod N. The grid has first_x <= i < first_x + N, first_z <= j < first_z + N. */
+ * Texel (i, j) of the world's grid has the position x = i texel_m, z = j texel_m. It is in column i mod N of row j
+ * mod N. The grid has first_x <= i < first_x + N, first_z <= j < first_z + N. */
 typedef struct pelagic_dynamic_waves_view {
     int64_t first_x, first_z;
     double texel_m;
@@ -1137,45 +922,29 @@ typedef struct pelagic_dynamic_waves_view {
 } pelagic_dynamic_waves_view;
 
 /* Writes a description of the waves of the last advance, or of the ocean's frame completed last.
- *
  * Errors: PELAGIC_WRONG_ORDER before the first advance or frame.
- * Threads: one thread per object.
  * Lifetime: the pointers are valid until the second advance or schedule from now. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_get_view(const pelagic_dynamic_waves* waves,
                                                           pelagic_dynamic_waves_view* view);
 
-/* Computes the 64-bit hash of the view, which pelagic_ocean_hash() leaves out.
- *
- * Errors: PELAGIC_WRONG_ORDER before the first advance or frame.
- * Threads: one thread per object. */
+/* Computes the hash of the view, with the errors of pelagic_dynamic_waves_get_view(). */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_hash(const pelagic_dynamic_waves* waves, uint64_t* hash);
 
-/* Saves all that later ticks depend on, sources included, except commands since the last advance.
- *
- * bytes: receives the state; NULL to obtain only the count.
- * room: size of `bytes`.
- * count: receives the number of bytes, slightly more than 17 N^2.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small; PELAGIC_WRONG_ORDER if a frame is in
- *   flight.
- * Threads: one thread per object. */
+/* Saves all that later ticks depend on, sources included, except commands since the last advance; about 17 N^2
+ * bytes. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynamic_waves* waves, uint8_t* bytes,
                                                             size_t room, size_t* count);
 
-/* Restores a state saved with equal options, on any machine of equal byte order. Discards commands
- * since the last advance.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if the options differ or the bytes are damaged;
- *   PELAGIC_WRONG_ORDER if a frame is in flight.
- * Threads: one thread per object. */
+/* Restores a state saved with equal options. Discards commands since the last advance.
+ * Errors: PELAGIC_INVALID_ARGUMENT if the options differ. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_waves* waves, const uint8_t* bytes,
                                                                size_t count);
 
 /* ---- Spray ----------------------------------------------------------------------------------- */
 
-/* Droplets that leave breaking crests near a centre, and droplets of emitters. Each stands for a
- * clump of drops. Droplets of crests are a function of the sea, the time in the loop and the
- * centre, on every machine. Those of emitters are state, which can be saved. */
+/* Droplets that leave breaking crests near a centre, and droplets of emitters. Each stands for a clump of drops.
+ * Droplets of crests are a function of the sea, the time in the loop and the centre, on every machine. Those of
+ * emitters are state, which can be saved. */
 typedef struct pelagic_spray_options {
     uint32_t struct_size;
     /* generated from schema/spray_options.toml: c-members */
@@ -1184,7 +953,6 @@ typedef struct pelagic_spray_options {
     double amount;  /* factor on the number of droplets of crests; [0, 10] */
     /* end of generated */
 } pelagic_spray_options;
-
 /* generated from schema/spray_options.toml: c-make */
 static inline pelagic_spray_options pelagic_spray_options_make(void) {
     PELAGIC_ZEROS(pelagic_spray_options, options);
@@ -1209,7 +977,6 @@ typedef struct pelagic_spray_emitter {
     double drop_mm;                                        /* diameter of drops, which sets the drag; [0.1, 5] */
     /* end of generated */
 } pelagic_spray_emitter;
-
 /* generated from schema/spray_emitter.toml: c-make */
 static inline pelagic_spray_emitter pelagic_spray_emitter_make(void) {
     PELAGIC_ZEROS(pelagic_spray_emitter, emitter);
@@ -1220,88 +987,55 @@ static inline pelagic_spray_emitter pelagic_spray_emitter_make(void) {
 }
 /* end of generated */
 
-/* Sets the centre of the spray of crests, usually the camera, in the world. It takes effect at the
- * next schedule, for the ticks computed from then on. It is the origin at first.
- *
- * x_m, z_m: [-1e8, 1e8].
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and without
- *   pelagic_ocean_options.spray.
- * Threads: one thread per ocean. */
+/* Sets the centre of the spray of crests, usually the camera, in the world. It takes effect at the next schedule, for
+ * the ticks computed from then on. It is the origin at first.
+ * x_m, z_m: [-1e8, 1e8]. */
 PELAGIC_API pelagic_status pelagic_ocean_set_spray_center(pelagic_ocean* ocean, double x_m, double z_m);
 
-/* Adds droplets of emitters to frames that are scheduled from now on. The ocean keeps them for jumps
- * in time; of more than 8192, it discards the oldest.
- *
- * emitters: `count` structs of one struct_size; may be NULL if that is 0. Together they have at most
- *   8192 droplets.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an invalid emitter, too many droplets, and without
- *   pelagic_ocean_options.spray.
- * Threads: one thread per ocean. */
+/* Adds droplets of emitters to frames that are scheduled from now on. The ocean keeps them for jumps in time; of more
+ * than 8192, it discards the oldest.
+ * emitters: `count` structs of one struct_size, of at most 8192 droplets together; may be NULL if `count` is 0. */
 PELAGIC_API pelagic_status pelagic_ocean_emit(pelagic_ocean* ocean, const pelagic_spray_emitter* emitters,
                                               size_t count);
 
 /* Arrays of the application for droplets, in the world. NULL: not written. */
 typedef struct pelagic_droplets {
     uint32_t struct_size;
-    size_t room;       /* size of each array; 8192 are always enough */
+    size_t room; /* size of each array; 8192 are always enough */
     double *x_m, *y_m, *z_m;
     float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
     float* radius_m;
     float* opacity; /* at the middle of the droplet, [0, 1] */
     float* age_s;   /* since it left the water, [0, 1.5) */
 } pelagic_droplets;
+static inline pelagic_droplets pelagic_droplets_make(void) { PELAGIC_MAKE(pelagic_droplets); }
 
-static inline pelagic_droplets pelagic_droplets_make(void) { PELAGIC_RETURN_ZEROS(pelagic_droplets); }
-
-/* Writes the droplets of the frame completed last: first those of emitters, then those of crests,
- * each with the newest first. Droplets below the water are not removed.
- *
+/* Writes the droplets of the frame completed last: first those of emitters, then those of crests, each with the
+ * newest first. Droplets below the water are not removed.
  * droplets: NULL to obtain only the count.
  * count: receives the number of droplets, at most 8192.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if the room is too small, and without
- *   pelagic_ocean_options.spray; PELAGIC_WRONG_ORDER before the first frame.
- * Threads: one thread per ocean. */
+ * Errors: PELAGIC_INVALID_ARGUMENT if the room is too small. */
 PELAGIC_API pelagic_status pelagic_ocean_droplets(const pelagic_ocean* ocean, const pelagic_droplets* droplets,
                                                   size_t* count);
 
-/* Computes the 64-bit hash of the droplets of the frame completed last.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.spray; PELAGIC_WRONG_ORDER before
- *   the first frame.
- * Threads: one thread per ocean. */
+/* Computes the hash of the droplets of the frame completed last. */
 PELAGIC_API pelagic_status pelagic_ocean_spray_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* Saves the droplets of emitters.
- *
- * bytes: receives the state; NULL to obtain only the count.
- * room: size of `bytes`.
- * count: receives the number of bytes, at most 918 KB.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small, and without pelagic_ocean_options.spray;
- *   PELAGIC_WRONG_ORDER if a frame is in flight.
- * Threads: one thread per ocean. */
+/* Saves the droplets of emitters; at most 918 KB. */
 PELAGIC_API pelagic_status pelagic_ocean_save_spray(const pelagic_ocean* ocean, uint8_t* bytes, size_t room,
                                                     size_t* count);
 
-/* Replaces the droplets of emitters, on any machine of equal byte order.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if the bytes are damaged, and without
- *   pelagic_ocean_options.spray; PELAGIC_WRONG_ORDER if a frame is in flight.
- * Threads: one thread per ocean. */
+/* Replaces the droplets of emitters. */
 PELAGIC_API pelagic_status pelagic_ocean_restore_spray(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
 
 /* ---- Shores ---------------------------------------------------------------------------------- */
 
-/* A sea floor, which may rise above the water as a beach or an island. Within its rectangle the
- * depth slows, refracts and shoals long waves, and they break. Waves reach the lee of land only by
- * refraction. Queries and bounds include the effects.
+/* A sea floor, which may rise above the water as a beach or an island. Within its rectangle the depth slows, refracts
+ * and shoals long waves, and they break. Waves reach the lee of land only by refraction. Queries and bounds include
+ * the effects.
  *
- * Beyond the rectangle the floor continues as at its nearest edge: dry ground stays dry, and the
- * sea is open where it is deep enough for its waves. The sea must have at least two cascades and
- * cannot change. */
+ * Beyond the rectangle the floor continues as at its nearest edge: dry ground stays dry, and the sea is open where it
+ * is deep enough for its waves. The sea must have at least two cascades and cannot change. */
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
     /* generated from schema/shore.toml: c-members */
@@ -1320,11 +1054,10 @@ typedef struct pelagic_shore_options {
      * depend on it. */
     double swash_m;
     /* end of generated */
-    /* columns * rows heights above the rest level, [-11000, 9000]; sample (i, j) is element
-     * j * columns + i. Read before the call returns. */
+    /* columns * rows heights above the rest level, [-11000, 9000]; sample (i, j) is element j * columns + i. Read
+     * before the call returns. */
     const float* heights_m;
 } pelagic_shore_options;
-
 /* generated from schema/shore.toml: c-make */
 static inline pelagic_shore_options pelagic_shore_options_make(void) {
     PELAGIC_ZEROS(pelagic_shore_options, options);
@@ -1334,13 +1067,13 @@ static inline pelagic_shore_options pelagic_shore_options_make(void) {
 }
 /* end of generated */
 
-/* The waves at a shore. At a drawn position in the rectangle, each cascade is multiplied by its
- * weight there and height_m is added to the sum. Texel (i, j) has the position x_m + i texel_m,
- * z_m + j texel_m and is element j * columns + i.
+/* The waves at a shore. At a drawn position in the rectangle, each cascade is multiplied by its weight there and
+ * height_m is added to the sum. Texel (i, j) has the position x_m + i texel_m, z_m + j texel_m and is element
+ * j * columns + i.
  *
- * Between texels height_m and vertical_velocity_mps are cubic (Keys 1981, 4 x 4 texels; those of
- * the edge are repeated beyond it); all else is bilinear. Beyond the rectangle, depths and weights
- * are those of the nearest position on its edge, and the height is 0, as on the edge. */
+ * Between texels height_m and vertical_velocity_mps are cubic (Keys 1981, 4 x 4 texels; those of the edge are
+ * repeated beyond it); all else is bilinear. Beyond the rectangle, depths and weights are those of the nearest
+ * position on its edge, and the height is 0, as on the edge. */
 typedef struct pelagic_shore_surface {
     int32_t columns, rows;
     double texel_m;
@@ -1349,40 +1082,29 @@ typedef struct pelagic_shore_surface {
     const uint32_t* weights_rgba8; /* weight of cascade t in byte t from the lowest up, 255 for 1 */
     const float* height_m;
     const float* vertical_velocity_mps;
-    /* Envelope of the crests of the passing waves: sand below it is wet. */
-    const float* reach_m;
-    const uint8_t* foam; /* of breaking waves */
-    /* Velocity potential: its gradient is the horizontal velocity of these waves at the surface, by
-     * linear theory. */
+    const float* reach_m; /* envelope of the crests of the passing waves: sand below it is wet */
+    const uint8_t* foam;  /* of breaking waves */
+    /* Velocity potential: its gradient is the horizontal velocity of these waves at the surface, by linear theory. */
     const float* potential_m2ps;
     float height_min_m, height_max_m; /* bounds of the height, between texels too */
     float weights_change_per_m;       /* largest change of a weight between positions a metre apart */
 } pelagic_shore_surface;
 
-/* Writes a description of the shore of the frame completed last.
- *
- * Errors: PELAGIC_WRONG_ORDER before the first frame; PELAGIC_INVALID_ARGUMENT without
- *   pelagic_ocean_options.shore.
- * Threads: one thread per ocean.
- * Lifetime: what `surface` points to is valid as long as the frame's pointers. */
+/* Writes a description of the shore of the frame completed last, with pointers valid as long as the frame's. */
 PELAGIC_API pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_surface* surface);
 
-/* Computes the 64-bit hash of the shore of the frame completed last, which pelagic_ocean_hash()
- * leaves out.
- *
- * Errors: as pelagic_ocean_shore().
- * Threads: one thread per ocean. */
+/* Computes the hash of the shore of the frame completed last. */
 PELAGIC_API pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* ---- Wave inputs ----------------------------------------------------------------------------- */
 
-/* A wave input, which adds waves to the cascades themselves. So normals, bounds, foam, queries and
- * textures include them, and they repeat with their cascade. They change pelagic_ocean_hash(). An
- * input belongs to one ocean. Its values take effect at the next schedule. */
+/* A wave input, which adds waves to the cascades themselves. So normals, bounds, foam, queries and textures include
+ * them, and they repeat with their cascade. They change pelagic_ocean_hash(). An input belongs to one ocean. Its
+ * values take effect at the next schedule. PELAGIC_INVALID_ARGUMENT: a set function of another kind of input. */
 typedef struct pelagic_input pelagic_input;
 
-/* A batch of Gerstner waves in deep water. Each wave is moved to the nearest grid point of the
- * cascade that holds waves of its length, and has a whole number of periods in a loop. */
+/* A batch of Gerstner waves in deep water. Each wave is moved to the nearest grid point of the cascade that holds
+ * waves of its length, and has a whole number of periods in a loop. */
 typedef struct pelagic_waves {
     uint32_t struct_size;
     size_t count;                /* number of waves; at most 64, and 0 adds nothing */
@@ -1390,32 +1112,23 @@ typedef struct pelagic_waves {
     const double* wavelength_m;  /* [0.01, 1000] */
     const double* direction_rad; /* direction the wave runs towards, from +x to +z; [-2 pi, 2 pi] */
     const double* phase_rad;     /* at x = z = t = 0, where 0 is a crest; NULL: all 0 */
-    /* 1: water moves in circles, 0: a height field; [0, 1]. The sum of 2 pi amplitude / wavelength
-     * is at most 0.4. */
+    /* 1: water moves in circles, 0: a height field; [0, 1]. The sum of 2 pi amplitude / wavelength is at most 0.4. */
     double choppiness;
 } pelagic_waves;
-
 static inline pelagic_waves pelagic_waves_make(void) {
     PELAGIC_ZEROS(pelagic_waves, waves);
     waves.choppiness = 1;
     return waves;
 }
 
-/* Creates an input of Gerstner waves.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: any. */
+/* Creates an input of Gerstner waves. */
 PELAGIC_API pelagic_status pelagic_input_create_waves(const pelagic_waves* waves, pelagic_input** input);
 
-/* Replaces the waves of an input from the next schedule on.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for another kind of input.
- * Threads: the thread that calls the ocean's functions. */
+/* Replaces the waves of an input of Gerstner waves from the next schedule on. */
 PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves);
 
-/* Rings that run outwards from a point, in the cascade that holds waves of their length L. The
- * height is, with q^2 = r^2 + (L / 2)^2,
- *
+/* Rings that run outwards from a point, in the cascade that holds waves of their length L. The height is, with
+ * q^2 = r^2 + (L / 2)^2,
  *   amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase). */
 typedef struct pelagic_ripple {
     uint32_t struct_size;
@@ -1430,7 +1143,6 @@ typedef struct pelagic_ripple {
     double phase_rad; /* phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi] */
     /* end of generated */
 } pelagic_ripple;
-
 /* generated from schema/ripple.toml: c-make */
 static inline pelagic_ripple pelagic_ripple_make(void) {
     PELAGIC_ZEROS(pelagic_ripple, ripple);
@@ -1439,43 +1151,32 @@ static inline pelagic_ripple pelagic_ripple_make(void) {
 }
 /* end of generated */
 
-/* Creates an input of rings.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range.
- * Threads: any. */
+/* Creates an input of rings. */
 PELAGIC_API pelagic_status pelagic_input_create_ripple(const pelagic_ripple* ripple, pelagic_input** input);
 
-/* Replaces the rings of an input from the next schedule on.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for another kind of input.
- * Threads: the thread that calls the ocean's functions. */
+/* Replaces the rings of an input of rings from the next schedule on. */
 PELAGIC_API pelagic_status pelagic_input_set_ripple(pelagic_input* input, const pelagic_ripple* ripple);
 
-/* Rows of a cascade at a time: column i of row first_row + j is element j N + i. All floats are 0
- * before the call. The values that the callback writes are added to the cascade, in metres and
- * metres a second along the world's axes. They must be finite and at most 1000 in magnitude.
- * pelagic_cascade gives the undisplaced positions of texels. */
+/* Rows of a cascade at a time: column i of row first_row + j is element j N + i. All floats are 0 before the call.
+ * The values that the callback writes are added to the cascade, in metres and metres a second along the world's axes.
+ * They must be finite and at most 1000 in magnitude. pelagic_cascade gives the undisplaced positions of texels. */
 typedef struct pelagic_input_rows {
-    double time_s;
-    double loop_period_s;
+    double time_s, loop_period_s;
     double side_m, cosine, sine;
     float *dx, *height, *dz;
     float *velocity_x, *velocity_y, *velocity_z; /* NULL without velocities, and in ticks */
     int32_t cascade;                             /* 0 is the coarsest */
     int32_t resolution;                          /* N */
     int32_t first_row, row_count;
-    /* Position in the loop, in units of 2^-32 of it. An input that uses no other time is
-     * bit-identical in every loop. */
+    /* Position in the loop, in units of 2^-32 of it. An input that uses only this is bit-identical in every loop. */
     uint32_t loop_turns;
     int32_t is_tick; /* 1: a tick of foam accumulation, at a time before the frame's */
 } pelagic_input_rows;
 
-/* Writes the waves of some rows. Written by the application.
- *
+/* Writes the waves of some rows.
  * user: pelagic_input_callback.user.
- *
- * Errors: if the function throws, complete() returns PELAGIC_APPLICATION_ERROR; if it writes a
- *   value out of range, PELAGIC_INVALID_ARGUMENT. That frame is lost; the ocean remains usable.
+ * Errors: if the function throws, complete() returns PELAGIC_APPLICATION_ERROR; if it writes a value out of range,
+ *   PELAGIC_INVALID_ARGUMENT. That frame is lost; the ocean remains usable.
  * Threads: called from any thread, for several rows and cascades at once. */
 typedef void (*pelagic_add_rows)(void* user, const pelagic_input_rows* rows);
 
@@ -1484,27 +1185,16 @@ typedef struct pelagic_input_callback {
     uint32_t cascades; /* bit i: cascade i; 0: all */
     pelagic_add_rows add;
     void* user; /* passed to `add`; must outlive the ocean */
-    /* Largest slope that the callback adds to a cascade; [0, 100]. Larger slopes are clamped to the
-     * range of slopes_rgba8. */
+    /* Largest slope that the callback adds to a cascade; [0, 100]. Larger ones are clamped in slopes_rgba8. */
     double largest_slope;
 } pelagic_input_callback;
+static inline pelagic_input_callback pelagic_input_callback_make(void) { PELAGIC_MAKE(pelagic_input_callback); }
 
-static inline pelagic_input_callback pelagic_input_callback_make(void) {
-    PELAGIC_RETURN_ZEROS(pelagic_input_callback);
-}
-
-/* Creates an input that calls a function of the application.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if `add` is NULL or largest_slope is out of range.
- * Threads: any. */
+/* Creates an input that calls a function of the application. */
 PELAGIC_API pelagic_status pelagic_input_create_callback(const pelagic_input_callback* callback,
                                                          pelagic_input** input);
 
-/* Releases the handle. An ocean that uses the input keeps what it needs.
- *
- * input: may be NULL.
- *
- * Threads: one thread per object. */
+/* Releases the handle. An ocean that uses the input keeps what it needs. */
 PELAGIC_API void pelagic_input_destroy(pelagic_input* input);
 
 /* ---- Queries --------------------------------------------------------------------------------- */
@@ -1517,26 +1207,24 @@ enum {
     PELAGIC_INTERPOLATION_CUBIC = 1
 };
 
-/* Positions in the world, in metres, at any distance from the origin: the sea repeats in double
- * precision. A position that is not finite has no sample: its error is infinite, it is not
- * converged, and its other results are the quiet NaN 0x7fc00000. */
+/* Positions in the world, in metres, at any distance from the origin: the sea repeats in double precision. A position
+ * that is not finite has no sample: its error is infinite, it is not converged, and its other results are the quiet
+ * NaN 0x7fc00000. */
 typedef struct pelagic_points {
     uint32_t struct_size;
     int32_t interpolation; /* PELAGIC_INTERPOLATION_...; foam is linear in both */
     size_t count;
     const double *x, *z; /* `count` values each; may be NULL if that is 0 */
 } pelagic_points;
+static inline pelagic_points pelagic_points_make(void) { PELAGIC_MAKE(pelagic_points); }
 
-static inline pelagic_points pelagic_points_make(void) { PELAGIC_RETURN_ZEROS(pelagic_points); }
-
-/* Arrays that receive the results, each as long as the points. A NULL pointer leaves a result out.
- * No array may overlap another or the points. */
+/* Arrays that receive the results, each as long as the points. A NULL pointer leaves a result out. No array may
+ * overlap another or the points. */
 typedef struct pelagic_samples {
     uint32_t struct_size;
     float* height_m;
     float *normal_x, *normal_y, *normal_z; /* unit normal of the displaced surface */
-    /* 1 at rest, small at sharp crests, negative where overturned. */
-    float* jacobian;
+    float* jacobian;                       /* 1 at rest, small at sharp crests, negative where overturned */
     /* Velocity of the water at the position; with pelagic_ocean_options.velocities. */
     float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
     float* error_m;     /* horizontal distance from the point to the sample's drawn position */
@@ -1544,15 +1232,10 @@ typedef struct pelagic_samples {
     /* Fraction covered by foam, 0 to 1; with pelagic_ocean_options.foam, dynamic_waves or shore. */
     float* foam;
 } pelagic_samples;
+static inline pelagic_samples pelagic_samples_make(void) { PELAGIC_MAKE(pelagic_samples); }
 
-static inline pelagic_samples pelagic_samples_make(void) { PELAGIC_RETURN_ZEROS(pelagic_samples); }
-
-/* Samples the surface of the frame completed last. If the surface intersects itself above a
- * position, the highest intersection is returned. Results depend only on the frame, the point, the
- * tolerance and the interpolation.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.queries, and for velocities or
- *   foam that the ocean was made without; PELAGIC_WRONG_ORDER before the first frame.
+/* Samples the surface of the frame completed last. If the surface intersects itself above a position, the highest
+ * intersection is returned. Results depend only on the frame, the point, the tolerance and the interpolation.
  * Threads: any. The call allocates nothing and never waits. */
 PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                                const pelagic_samples* samples);
@@ -1561,11 +1244,9 @@ typedef struct pelagic_ray {
     uint32_t struct_size;
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
     double direction[3]; /* of any length in [1e-100, 1e100] */
-    /* Maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each. */
-    double reach_m;
+    double reach_m;      /* maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each */
 } pelagic_ray;
-
-static inline pelagic_ray pelagic_ray_make(void) { PELAGIC_RETURN_ZEROS(pelagic_ray); }
+static inline pelagic_ray pelagic_ray_make(void) { PELAGIC_MAKE(pelagic_ray); }
 
 typedef struct pelagic_hit {
     int32_t is_hit;     /* 0: no intersection within reach_m, and the other fields are 0 */
@@ -1576,23 +1257,19 @@ typedef struct pelagic_hit {
 } pelagic_hit;
 
 /* Finds the first intersection of a ray with the surface of the frame completed last.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.queries, and for a ray out of
- *   range; PELAGIC_WRONG_ORDER before the first frame.
  * Threads: any. The call allocates nothing and never waits. */
 PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray,
                                                    pelagic_hit* hit);
 
 /* ---- Hulls ----------------------------------------------------------------------------------- */
 
-/* Forces of water and air on rigid hulls, from their triangle meshes; docs/floating.md has the
- * model. Oceans need pelagic_ocean_options.queries and velocities. In a library that was built
- * without PELAGIC_FLOATING, functions of this section return PELAGIC_INVALID_ARGUMENT.
- * Hulls and floating bodies are experimental. */
+/* Forces of water and air on rigid hulls, from their triangle meshes; docs/floating.md has the model. Oceans need
+ * pelagic_ocean_options.queries and velocities. In a library that was built without PELAGIC_FLOATING, functions of
+ * this section return PELAGIC_INVALID_ARGUMENT. Hulls and floating bodies are experimental. */
 
-/* The outer surface of a hull: closed, with triangles wound counter-clockwise as seen from outside.
- * An open boat is closed by its deck, or by a lid at the gunwale. Axes: x forward, y up, z to
- * starboard. Vertices at equal positions are merged, and triangles without an area are left out. */
+/* The outer surface of a hull: closed, with triangles wound counter-clockwise as seen from outside. An open boat is
+ * closed by its deck, or by a lid at the gunwale. Axes: x forward, y up, z to starboard. Vertices at equal positions
+ * are merged, and triangles without an area are left out. */
 typedef struct pelagic_hull_mesh {
     uint32_t struct_size;
     size_t vertex_count;
@@ -1600,8 +1277,7 @@ typedef struct pelagic_hull_mesh {
     size_t triangle_count;     /* [4, 4096] */
     const uint32_t* triangles; /* numbers of the three vertices of each triangle */
 } pelagic_hull_mesh;
-
-static inline pelagic_hull_mesh pelagic_hull_mesh_make(void) { PELAGIC_RETURN_ZEROS(pelagic_hull_mesh); }
+static inline pelagic_hull_mesh pelagic_hull_mesh_make(void) { PELAGIC_MAKE(pelagic_hull_mesh); }
 
 typedef struct pelagic_hull_options {
     uint32_t struct_size;
@@ -1625,15 +1301,14 @@ typedef struct pelagic_hull_options {
     /* end of generated */
     /* Three coordinates in the axes of the mesh; NULL: the centre of its volume. */
     const double* centre_of_mass_m;
-    /* Three moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; NULL:
-     * those of a body that fills the mesh evenly. */
+    /* Three moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; NULL: those of a body that
+     * fills the mesh evenly. */
     const double* inertia_kgm2;
-    /* Added mass at rest, a symmetric and positive semi-definite matrix of 6 x 6 numbers by rows:
-     * surge, heave, sway (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL:
-     * derived from the sizes of waterline and draught. */
+    /* Added mass at rest, a symmetric and positive semi-definite matrix of 6 x 6 numbers by rows: surge, heave, sway
+     * (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL: derived from the sizes of waterline and
+     * draught. */
     const double* added_mass;
 } pelagic_hull_options;
-
 /* generated from schema/hull.toml: c-make */
 static inline pelagic_hull_options pelagic_hull_options_make(void) {
     PELAGIC_ZEROS(pelagic_hull_options, options);
@@ -1653,22 +1328,15 @@ static inline pelagic_hull_options pelagic_hull_options_make(void) {
 typedef struct pelagic_hull pelagic_hull;
 
 /* Creates a hull. Mesh and options are read before the call returns.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a mesh that is open, wound inwards, without volume or too
- *   large, and for a value out of range.
- * Threads: any. */
+ * Errors: PELAGIC_INVALID_ARGUMENT for a mesh that is open, wound inwards, without volume or too large. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_create(const pelagic_hull_mesh* mesh,
                                                         const pelagic_hull_options* options, pelagic_hull** hull);
 
-/* Releases the handle. Bodies that use the hull keep what they need.
- *
- * hull: may be NULL.
- *
- * Threads: one thread per object. */
+/* Releases the handle. Bodies that use the hull keep what they need. */
 PELAGIC_EXPERIMENTAL void pelagic_hull_destroy(pelagic_hull* hull);
 
-/* Properties of a hull, in the axes of its mesh. Those from draught_m on are of the hull upright at
- * rest in still water, and 0 if it is heavier than its volume of water. */
+/* Properties of a hull, in the axes of its mesh. Those from draught_m on are of the hull upright at rest in still
+ * water, and 0 if it is heavier than its volume of water. */
 typedef struct pelagic_hull_info {
     double volume_m3;
     double centre_m[3];                /* of the volume */
@@ -1687,27 +1355,24 @@ typedef struct pelagic_hull_info {
 /* Writes the properties of a hull. Threads: any. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_describe(const pelagic_hull* hull, pelagic_hull_info* info);
 
-/* A rigid body in the world's axes, and what the water's forces depend on of the preceding step.
- * The library reads and writes it; it has no struct_size. */
+/* A rigid body in the world's axes, and what the water's forces depend on of the preceding step. The library reads
+ * and writes it; it has no struct_size. */
 typedef struct pelagic_hull_state {
     double position_m[3];             /* of the centre of mass; [-1e8, 1e8] */
     double orientation[4];            /* unit quaternion x, y, z, w: world from hull */
     double velocity_mps[3];           /* of the centre of mass; [-1e4, 1e4] */
     double angular_velocity_radps[3]; /* [-1e4, 1e4] */
-    /* Of the preceding step: vertical velocity and rotation of the water's surface at the hull, and
-     * the fraction of the added mass. */
+    /* Of the preceding step: the surface's vertical velocity and rotation at the hull, and fraction of added mass. */
     double water_velocity_y_mps;
     double water_rotation_radps[3];
     double submersion;         /* [0, 1] */
     int32_t has_previous_step; /* 0: no acceleration of the water and no slamming */
 } pelagic_hull_state;
 
-/* Writes the state of a hull that is upright and at rest in still water. The mesh's origin is at
- * the position minus the rotated centre_of_mass_m of pelagic_hull_info.
- *
- * heading_rad: angle of the hull's x axis, from +x to +z.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value that is not finite or a position out of range.
+/* Writes the state of a hull that is upright and at rest in still water. The mesh's origin is at the position minus
+ * the rotated centre_of_mass_m of pelagic_hull_info.
+ * x_m, z_m: [-1e8, 1e8].
+ * heading_rad: angle of the hull's x axis, from +x to +z; finite.
  * Threads: any. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_at_rest(const pelagic_hull* hull, double x_m, double z_m,
                                                          double heading_rad, pelagic_hull_state* state);
@@ -1723,11 +1388,10 @@ typedef struct pelagic_hull_inputs {
     pelagic_hull_force force;
     double wind_mps[3]; /* [-1000, 1000] */
 } pelagic_hull_inputs;
+static inline pelagic_hull_inputs pelagic_hull_inputs_make(void) { PELAGIC_MAKE(pelagic_hull_inputs); }
 
-static inline pelagic_hull_inputs pelagic_hull_inputs_make(void) { PELAGIC_RETURN_ZEROS(pelagic_hull_inputs); }
-
-/* Forces of water and air. The total leaves out weight, inputs and the force of added mass that
- * opposes acceleration, -A du/dt. */
+/* Forces of water and air. The total leaves out weight, inputs and the force of added mass that opposes acceleration,
+ * -A du/dt. */
 typedef struct pelagic_hull_loads {
     pelagic_hull_force total;
     pelagic_hull_force pressure;   /* of the water's weight and acceleration */
@@ -1742,32 +1406,23 @@ typedef struct pelagic_hull_loads {
     double water_acceleration_mps2[3];
 } pelagic_hull_loads;
 
-/* Computes the loads of a state in the water of the frame completed last, and stores in the state
- * what the next call depends on. For a physics engine that integrates positions: it sets pose and
- * velocities and applies the total.
- *
+/* Computes the loads of a state in the water of the frame completed last, and stores in the state what the next call
+ * depends on. For a physics engine that integrates positions: it sets pose and velocities and applies the total.
  * state: successive calls are step_s apart.
- * step_s: at least 0; drag is that of an implicit step of this length, so that an explicit
- *   integrator remains stable.
+ * step_s: at least 0; drag is that of an implicit step of this length, so that an explicit integrator remains stable.
  * inputs: only the wind is used; NULL: no wind.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and for an ocean without queries or
- *   velocities; PELAGIC_WRONG_ORDER before the first frame.
  * Threads: one thread per hull; also while another thread calls functions of the ocean. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_compute_loads(pelagic_hull* hull, const pelagic_ocean* ocean,
                                                                pelagic_hull_state* state, double step_s,
                                                                const pelagic_hull_inputs* inputs,
                                                                pelagic_hull_loads* loads);
 
-/* Computes the loads as pelagic_hull_compute_loads(), and the velocities of the state after a step
- * under them, the weight and the inputs, with mass and added mass. For a physics engine without
- * added mass: it sets the body's velocities to the result.
- *
+/* Computes the loads as pelagic_hull_compute_loads(), and the velocities of the state after a step under them, the
+ * weight and the inputs, with mass and added mass. For a physics engine without added mass: it sets the body's
+ * velocities to the result.
  * inputs: NULL: none.
  * loads: may be NULL.
- *
- * Errors: as pelagic_hull_compute_loads().
- * Threads: one thread per hull; also while another thread calls functions of the ocean. */
+ * Threads: as pelagic_hull_compute_loads(). */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_accelerate(pelagic_hull* hull, const pelagic_ocean* ocean,
                                                             pelagic_hull_state* state, double step_s,
                                                             const pelagic_hull_inputs* inputs,
@@ -1775,133 +1430,82 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_accelerate(pelagic_hull* hull, 
 
 /* ---- Floating bodies ------------------------------------------------------------------------- */
 
-/* A set of hulls that float in the water of an ocean. With wakes they press on its dynamic waves,
- * and float on the waves of others. A tick is:
- *
+/* A set of hulls that float in the water of an ocean. With wakes they press on its dynamic waves, and float on the
+ * waves of others. A tick is:
  *   pelagic_ocean_complete(ocean, &frame);
  *   pelagic_bodies_press(bodies, tick_s);
  *   pelagic_ocean_schedule(ocean, next_s);
  *   pelagic_bodies_step(bodies, tick_s, NULL);  // during the computation of the next frame
- *
- * With wakes, functions that enqueue commands (add, remove, press, destroy) are called by the
- * thread that calls the ocean's. After the ocean is destroyed, functions of its bodies return
- * PELAGIC_INVALID_ARGUMENT. In a library that was built without PELAGIC_FLOATING each does. */
+ * With wakes, functions that enqueue commands (add, remove, press, destroy) are called by the thread that calls the
+ * ocean's. Functions return PELAGIC_INVALID_ARGUMENT for an unknown number of a body, after the ocean is destroyed,
+ * and in a library that was built without PELAGIC_FLOATING. */
 typedef struct pelagic_bodies pelagic_bodies;
 
 typedef struct pelagic_bodies_options {
     uint32_t struct_size;
-    /* Nonzero: with wakes, which need pelagic_ocean_options.dynamic_waves. */
-    int32_t wakes;
+    int32_t wakes;                    /* Nonzero: with wakes, which need pelagic_ocean_options.dynamic_waves */
     const pelagic_executor* executor; /* of the steps; NULL: PELAGIC_EXECUTOR_DEFAULT */
 } pelagic_bodies_options;
+static inline pelagic_bodies_options pelagic_bodies_options_make(void) { PELAGIC_MAKE(pelagic_bodies_options); }
 
-static inline pelagic_bodies_options pelagic_bodies_options_make(void) {
-    PELAGIC_RETURN_ZEROS(pelagic_bodies_options);
-}
-
-/* Creates an empty set.
- *
- * options: may be NULL, which means that all fields are 0.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an ocean without queries or velocities, and for wakes
- *   without dynamic waves; PELAGIC_SYSTEM_ERROR if the system cannot create the threads.
- * Threads: one thread per ocean. */
+/* Creates an empty set; options may be NULL. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_create(pelagic_ocean* ocean, const pelagic_bodies_options* options,
                                                           pelagic_bodies** bodies);
 
-/* Destroys a set, and removes its pressures from the dynamic waves.
- *
- * bodies: may be NULL.
- *
- * Threads: one thread per object. */
+/* Destroys a set, and removes its pressures from the dynamic waves. */
 PELAGIC_EXPERIMENTAL void pelagic_bodies_destroy(pelagic_bodies* bodies);
 
-/* Adds a body without inputs. The set keeps the hull, also for pelagic_bodies_restore_state() after
- * the body is removed.
- *
+/* Adds a body without inputs. The set keeps the hull, also for pelagic_bodies_restore_state() after the body is
+ * removed.
  * number: receives the number of the body, which is never reused.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range; with wakes also if the hull is longer
- *   than 1000 m or the waves have too many sources.
- * Threads: one thread per object. */
+ * Errors: PELAGIC_INVALID_ARGUMENT with wakes for a hull longer than 1000 m and for too many sources of waves. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_add(pelagic_bodies* bodies, const pelagic_hull* hull,
                                                        const pelagic_hull_state* state, uint32_t* number);
 
-/* Removes a body. Does nothing if no body has that number. Threads: one thread per object. */
+/* Removes a body. Does nothing if no body has that number. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_remove(pelagic_bodies* bodies, uint32_t number);
 
-/* Sets force and wind of the steps from now on.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number or a value out of range.
- * Threads: one thread per object. */
+/* Sets force and wind of the steps from now on. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_set_inputs(pelagic_bodies* bodies, uint32_t number,
                                                               const pelagic_hull_inputs* inputs);
 
-/* Replaces the state of a body.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number or a value out of range.
- * Threads: one thread per object. */
+/* Replaces the state of a body. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_set_state(pelagic_bodies* bodies, uint32_t number,
                                                              const pelagic_hull_state* state);
 
-/* Writes the state of a body.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number.
- * Threads: one thread per object. */
+/* Writes the state of a body. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_state(const pelagic_bodies* bodies, uint32_t number,
                                                              pelagic_hull_state* state);
 
-/* Writes the loads of a body in the last step, all 0 before the first.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an unknown number.
- * Threads: one thread per object. */
+/* Writes the loads of a body in the last step, all 0 before the first. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t number,
                                                              pelagic_hull_loads* loads);
 
-/* Moves the pressures of wakes to the bodies. Does nothing without wakes. Call it once a frame,
- * between pelagic_ocean_complete() and pelagic_ocean_schedule().
- *
+/* Moves the pressures of wakes to the bodies. Does nothing without wakes. Call it once a frame, between
+ * pelagic_ocean_complete() and pelagic_ocean_schedule().
  * tick_s: time since the last call; 0 changes nothing. Frames may be any time apart.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range; PELAGIC_WRONG_ORDER before the first
- *   frame and if a frame is in flight.
- * Threads: one thread per object. */
+ * Errors: PELAGIC_WRONG_ORDER before the first frame and if a frame is in flight. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s);
 
-/* Advances all bodies by a step in the water of the frame completed last, on the executor's
- * threads. Results do not depend on the number of threads. Allocates nothing once the set has
- * stepped with as many vertices.
- *
- * step_s: at least 0. More than 0.1, after a hitch of the application, is divided into equal steps,
- *   and more than 1 counts as 1.
+/* Advances all bodies by a step in the water of the frame completed last, on the executor's threads. Results do not
+ * depend on the number of threads. Allocates nothing once the set has stepped with as many vertices.
+ * step_s: at least 0. More than 0.1, after a hitch of the application, is divided into equal steps, and more than 1
+ *   counts as 1.
  * is_all: receives 1 if the bodies have advanced by all of step_s, else 0; may be NULL.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range and a body that has moved out of range,
- *   whose number the message has; PELAGIC_WRONG_ORDER before the first frame;
- *   PELAGIC_APPLICATION_ERROR if a callback of the executor fails, after which the bodies have
- *   advanced.
+ * Errors: PELAGIC_INVALID_ARGUMENT for a body that has moved out of range, whose number the message has;
+ *   PELAGIC_APPLICATION_ERROR if a callback of the executor fails, after which the bodies have advanced.
  * Threads: one thread per object; also while another thread calls functions of the ocean. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_step(pelagic_bodies* bodies, double step_s,
                                                         int32_t* is_all);
 
-/* Saves all that later steps depend on, inputs and wakes included. Call it when
- * pelagic_dynamic_waves_save_state() is called, before the first command after a frame.
- *
- * bytes: receives the state; NULL to obtain only the count.
- * room: size of `bytes`.
- * count: receives the number of bytes: 1,300 a body, and with wakes 12 for each texel under it.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if `room` is too small.
- * Threads: one thread per object. */
+/* Saves all that later steps depend on, inputs and wakes included: 1,300 bytes a body, and with wakes 12 for each
+ * texel under it. Call it with pelagic_dynamic_waves_save_state(), before the first command after a frame. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_save_state(const pelagic_bodies* bodies, uint8_t* bytes,
                                                               size_t room, size_t* count);
 
-/* Restores a saved state, on any machine of equal byte order. With wakes, restore the dynamic waves
- * first. A frame of the saved time, scheduled without commands, shows the water of that time again.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT if the set never had a body of a saved hull, the dynamic waves
- *   have other options, or the bytes are damaged.
- * Threads: one thread per object. */
+/* Restores a saved state. With wakes, restore the dynamic waves first. A frame of the saved time, scheduled without
+ * commands, shows the water of that time again.
+ * Errors: PELAGIC_INVALID_ARGUMENT if the set never had a saved hull, or the dynamic waves have other options. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_restore_state(pelagic_bodies* bodies, const uint8_t* bytes,
                                                                  size_t count);
 
@@ -1910,5 +1514,5 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_restore_state(pelagic_bodies*
 #endif
 
 #undef PELAGIC_ZEROS
-#undef PELAGIC_RETURN_ZEROS
+#undef PELAGIC_MAKE
 #endif

@@ -2,12 +2,13 @@
 BEGIN, END = "<!-- generated: functions -->", "<!-- /generated -->"
 
 
-def thread_rule(function):
-    """The first word or two of the rule in the function's comment."""
-    at = function.doc.find("Threads: ")
-    if at < 0:
-        raise ValueError(f"{function.name}: no rule for threads")
-    return "any" if function.doc[at:].startswith("Threads: any") else "one"
+def thread_rule(header, function):
+    """The first word of the rule in the function's comment, or of the rule that the header states for
+    all functions: a first argument that is a handle belongs to one thread at a time."""
+    if (at := function.doc.find("Threads: ")) >= 0:
+        return "any" if function.doc.startswith("any", at + len("Threads: ")) else "one"
+    first = function.parameters[0].type if function.parameters else None
+    return "one" if first and header.is_handle(first.base) and len(first.pointers) == 1 else "any"
 
 
 def names_of(functions):
@@ -18,7 +19,7 @@ def table(header):
     lines = ["| section of `pelagic.h` | from any thread | from one thread at a time |", "|---|---|---|"]
     for section in dict.fromkeys(function.section for function in header.functions):
         here = [function for function in header.functions if function.section == section]
-        any_, one = ([f for f in here if thread_rule(f) == rule] for rule in ("any", "one"))
+        any_, one = ([f for f in here if thread_rule(header, f) == rule] for rule in ("any", "one"))
         lines.append(f"| {section} | {names_of(any_)} | {names_of(one)} |")
     return "\n".join(lines)
 

@@ -133,8 +133,7 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// A sea state. Equal values and the same version of Pelagic give bit-identical seas on all
-    /// machines.
+    /// A sea state. Equal values and the same version of Pelagic give bit-identical seas on all machines.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Sea
@@ -238,43 +237,57 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// Heights, periods and directions of a sea. Fields that begin with `expected` are means over all
-    /// seeds, of the waves that the cascades hold. Fields that begin with `realised` belong to the waves
-    /// of this seed, as a mean over a loop. A value that a sea does not have is 0.
+    /// Heights, periods and directions of a sea. Fields that begin with `expected` are means over all seeds, of the waves
+    /// that the cascades hold. Fields that begin with `realised` belong to the waves of this seed, as a mean over a loop.
+    /// A value that a sea does not have is 0.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Statistics
     {
         /// <summary>significant wave height, 4 sqrt(variance)</summary>
         public double ExpectedWaveHeightM;
+        /// <summary>significant wave height, 4 sqrt(variance)</summary>
         public double RealisedWaveHeightM;
-        /// <summary>Of all waves of the model; 0 for phillips-paper, which has no scale.</summary>
+        /// <summary>of all waves of the model; 0 for phillips-paper, which has no scale</summary>
         public double ModelWaveHeightM;
-        /// <summary>period of the maximum of the frequency spectrum</summary>
+        /// <summary>
+        /// Period of the maximum of the frequency spectrum. Realised: Young 1995; with a swell that of the system with the
+        /// higher peak.
+        /// </summary>
         public double ExpectedPeakPeriodS;
-        /// <summary>Young 1995; with a swell: of the system with the higher peak.</summary>
+        /// <summary>
+        /// Period of the maximum of the frequency spectrum. Realised: Young 1995; with a swell that of the system with the
+        /// higher peak.
+        /// </summary>
         public double RealisedPeakPeriodS;
         public double PeakWavelengthM;
         /// <summary>m0 / m1, m_n = integral f^n S(f) df</summary>
         public double ExpectedTm01S;
+        /// <summary>m0 / m1, m_n = integral f^n S(f) df</summary>
         public double RealisedTm01S;
         /// <summary>sqrt(m0 / m2), also the mean period of upward zero crossings</summary>
         public double ExpectedTm02S;
+        /// <summary>sqrt(m0 / m2), also the mean period of upward zero crossings</summary>
         public double RealisedTm02S;
-        /// <summary>direction waves run towards, from +x to +z, (-pi, pi]</summary>
+        /// <summary>Direction waves run towards, from +x to +z; (-pi, pi].</summary>
         public double ExpectedDirectionRad;
+        /// <summary>Direction waves run towards, from +x to +z; (-pi, pi].</summary>
         public double RealisedDirectionRad;
-        /// <summary>directional spread, [0, sqrt(2)]</summary>
+        /// <summary>directional spread; [0, sqrt(2)]</summary>
         public double ExpectedSpreadRad;
+        /// <summary>directional spread; [0, sqrt(2)]</summary>
         public double RealisedSpreadRad;
         /// <summary>expected, of all cascades</summary>
         public double SlopeVarianceAlongWind;
+        /// <summary>expected, of all cascades</summary>
         public double SlopeVarianceAcrossWind;
         /// <summary>of Dx,x + Dz,z</summary>
         public double ExpectedConvergenceVariance;
+        /// <summary>of Dx,x + Dz,z</summary>
         public double RealisedConvergenceVariance;
-        /// <summary>The next six fields are for spectra with a swell; the first four are expected values.</summary>
+        /// <summary>Of spectra with a swell: expected values, then realised ones.</summary>
         public double WindSeaHeightM;
+        /// <summary>Of spectra with a swell: expected values, then realised ones.</summary>
         public double WindSeaPeakPeriodS;
         public double SwellHeightM;
         public double SwellPeakPeriodS;
@@ -287,10 +300,9 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and
-    /// commands of dynamic waves use positions in the world. Frames, their hashes and views are in the
-    /// water's frame, whose origin lies at (CurrentXMps t, SeaLevelM, CurrentZMps t) in the
-    /// world.
+    /// A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and commands of
+    /// dynamic waves use positions in the world. Frames, their hashes and views are in the water's frame, whose origin
+    /// lies at (CurrentXMps t, SeaLevelM, CurrentZMps t) in the world.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct WaterFrame
@@ -305,25 +317,23 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// Extremes of displacements, for culling boxes. Those of a cascade are exact. Those of a frame are
-    /// the sums over its cascades, whose extremes need not coincide: upper bounds, exact if
-    /// CascadeCount is 1.
+    /// Extremes of displacements, for culling boxes. Those of a cascade are exact. Those of a frame are the sums over its
+    /// cascades, whose extremes need not coincide: upper bounds, exact if CascadeCount is 1.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Bounds
     {
         public float HeightMinM;
         public float HeightMaxM;
-        /// <summary>largest |Dx|</summary>
+        /// <summary>largest |Dx| and |Dz|</summary>
         public float HorizontalXMaxM;
-        /// <summary>largest |Dz|</summary>
+        /// <summary>largest |Dx| and |Dz|</summary>
         public float HorizontalZMaxM;
     }
 
     /// <summary>
-    /// Frames, bounds and queries of an ocean include its dynamic waves. The waves advance in ticks of a
-    /// fixed length. Equal commands between frames of equal times give bit-identical waves on every
-    /// machine.
+    /// Frames, bounds and queries of an ocean include its dynamic waves. The waves advance in ticks of a fixed length.
+    /// Equal commands between frames of equal times give bit-identical waves on every machine.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct DynamicWavesOptions
@@ -384,9 +394,8 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// Rain. Each drop adds a crater and a rim of equal volume, HeightM (q - 1) e^-q with
-    /// q = (r / RadiusM)^2. The drops depend only on the seed, the tick and the position in the
-    /// world.
+    /// Rain. Each drop adds a crater and a rim of equal volume, HeightM (q - 1) e^-q with q = (r / RadiusM)^2. The drops
+    /// depend only on the seed, the tick and the position in the world.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Rain
@@ -409,9 +418,9 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// Droplets that leave breaking crests near a centre, and droplets of emitters. Each stands for a
-    /// clump of drops. Droplets of crests are a function of the sea, the time in the loop and the
-    /// centre, on every machine. Those of emitters are state, which can be saved.
+    /// Droplets that leave breaking crests near a centre, and droplets of emitters. Each stands for a clump of drops.
+    /// Droplets of crests are a function of the sea, the time in the loop and the centre, on every machine. Those of
+    /// emitters are state, which can be saved.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct SprayOptions
@@ -457,9 +466,8 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// Rings that run outwards from a point, in the cascade that holds waves of their length L. The
-    /// height is, with q^2 = r^2 + (L / 2)^2,
-    ///
+    /// Rings that run outwards from a point, in the cascade that holds waves of their length L. The height is, with
+    /// q^2 = r^2 + (L / 2)^2,
     ///   amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -491,7 +499,7 @@ namespace Pelagic
         public double OriginXM, OriginYM, OriginZM;
         /// <summary>of any length in [1e-100, 1e100]</summary>
         public double DirectionX, DirectionY, DirectionZ;
-        /// <summary>Maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each.</summary>
+        /// <summary>maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each</summary>
         public double ReachM;
     }
 
@@ -509,8 +517,8 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// Properties of a hull, in the axes of its mesh. Those from DraughtM on are of the hull upright at
-    /// rest in still water, and 0 if it is heavier than its volume of water.
+    /// Properties of a hull, in the axes of its mesh. Those from DraughtM on are of the hull upright at rest in still
+    /// water, and 0 if it is heavier than its volume of water.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct HullInfo
@@ -545,8 +553,8 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// A rigid body in the world's axes, and what the water's forces depend on of the preceding step.
-    /// The library reads and writes it; it has no struct_size.
+    /// A rigid body in the world's axes, and what the water's forces depend on of the preceding step. The library reads
+    /// and writes it; it has no struct_size.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct HullState
@@ -560,8 +568,7 @@ namespace Pelagic
         /// <summary>[-1e4, 1e4]</summary>
         public double AngularVelocityXRadps, AngularVelocityYRadps, AngularVelocityZRadps;
         /// <summary>
-        /// Of the preceding step: vertical velocity and rotation of the water's surface at the hull, and
-        /// the fraction of the added mass.
+        /// Of the preceding step: the surface's vertical velocity and rotation at the hull, and fraction of added mass.
         /// </summary>
         public double WaterVelocityYMps;
         public double WaterRotationXRadps, WaterRotationYRadps, WaterRotationZRadps;
@@ -590,8 +597,8 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// Forces of water and air. The total leaves out weight, inputs and the force of added mass that
-    /// opposes acceleration, -A du/dt.
+    /// Forces of water and air. The total leaves out weight, inputs and the force of added mass that opposes acceleration,
+    /// -A du/dt.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct HullLoads
@@ -623,15 +630,13 @@ namespace Pelagic
         /// <summary>ExecutorKind</summary>
         public ExecutorKind Kind;
         /// <summary>
-        /// Maximum number of threads that work on a frame, the completing thread included; [0, 1024].
-        /// With 1 complete() does all work. 0: one per CPU that the process may use by its affinity and
-        /// its quota; of ExecutorKind.Threads with a mask, of these the CPUs of the mask; of
-        /// ExecutorKind.Application, 1.
+        /// Maximum number of threads that work on a frame, the completing thread included; [0, 1024]. With 1 complete()
+        /// does all work. 0: one per CPU that the process may use by its affinity and its quota; of
+        /// ExecutorKind.Threads with a mask, of these the CPUs of the mask; of ExecutorKind.Application, 1.
         /// </summary>
         public int Threads;
         /// <summary>
-        /// For ExecutorKind.Threads on Linux, Android and Windows: bit i allows the pool's threads
-        /// to run on CPU i; 0 allows all CPUs.
+        /// For ExecutorKind.Threads on Linux, Android and Windows: bit i lets its threads run on CPU i; 0: all.
         /// </summary>
         public ulong CpuMask;
 
@@ -653,35 +658,33 @@ namespace Pelagic
     public sealed partial class OceanOptions
     {
         /// <summary>
-        /// True enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a
-        /// frame.
+        /// True enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a frame.
         /// </summary>
         public bool Queries;
         /// <summary>
-        /// True enables velocities; 12 N^2 bytes for each cascade of a frame, and about twice as many
-        /// transforms.
+        /// True enables velocities; 12 N^2 bytes for each cascade of a frame, and about twice as many transforms.
         /// </summary>
         public bool Velocities;
         /// <summary>
-        /// True enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with
-        /// a tick (five a second) then takes about twice as long. A jump in time computes 16 ticks,
-        /// which take as long as ten to twenty frames. 49 N^2 bytes for each cascade.
+        /// True enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with a tick (five a
+        /// second) then takes about twice as long. A jump in time computes 16 ticks, which take as long as ten to twenty
+        /// frames. 49 N^2 bytes for each cascade.
         /// </summary>
         public bool Foam;
         /// <summary>
-        /// True: frames have textures and bounds, but no planes. This moves fewer bytes and takes
-        /// about 12 N^2 bytes less for each cascade; the textures are bit-identical. Cannot be combined
-        /// with queries, velocities, dynamic waves, a shore, spray or wave inputs.
+        /// True: frames have textures and bounds, but no planes. This moves fewer bytes and takes about 12 N^2 bytes
+        /// less for each cascade; the textures are bit-identical. Cannot be combined with queries, velocities, dynamic
+        /// waves, a shore, spray or wave inputs.
         /// </summary>
         public bool TexturesOnly;
         /// <summary>
-        /// Slopes and moments of each cascade, Textures They are on by default if the sea has
-        /// 2 or more cascades, with foam, and without gradients. Foam needs them.
+        /// Slopes and moments of each cascade, Textures They are on by default if the sea has 2 or more
+        /// cascades, with foam, and without gradients. Foam needs them.
         /// </summary>
         public Textures Slopes;
         /// <summary>
-        /// Gradients of each cascade, Textures They are on by default if the sea has 1
-        /// cascade, and without slopes. Slopes and gradients cannot both be off.
+        /// Gradients of each cascade, Textures They are on by default if the sea has 1 cascade, and without
+        /// slopes. Slopes and gradients cannot both be off.
         /// </summary>
         public Textures Gradients;
         /// <summary>largest error of a converged point; 0: 0.001, else [1e-6, 1000]</summary>
@@ -711,13 +714,12 @@ namespace Pelagic
     }
 
     /// <summary>
-    /// A sea floor, which may rise above the water as a beach or an island. Within its rectangle the
-    /// depth slows, refracts and shoals long waves, and they break. Waves reach the lee of land only by
-    /// refraction. Queries and bounds include the effects.
+    /// A sea floor, which may rise above the water as a beach or an island. Within its rectangle the depth slows, refracts
+    /// and shoals long waves, and they break. Waves reach the lee of land only by refraction. Queries and bounds include
+    /// the effects.
     ///
-    /// Beyond the rectangle the floor continues as at its nearest edge: dry ground stays dry, and the
-    /// sea is open where it is deep enough for its waves. The sea must have at least two cascades and
-    /// cannot change.
+    /// Beyond the rectangle the floor continues as at its nearest edge: dry ground stays dry, and the sea is open where it
+    /// is deep enough for its waves. The sea must have at least two cascades and cannot change.
     /// </summary>
     public sealed partial class ShoreOptions
     {
