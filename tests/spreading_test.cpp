@@ -80,24 +80,17 @@ TEST(Spreading, LobesMatchTheClosedForms) {
     }
 }
 
-// Returns s from a density: the density of the peak direction increases with s.
-double exponent_of(const DirectionalLobe& lobe) {
-    double low = 1e-6, high = 1e4;
+// Returns the parameter of a lobe from a density: that of the peak direction increases with it.
+double parameter_of(const DirectionalLobe& lobe, DirectionalLobe (*lobe_of)(double), double high) {
+    double low = 1e-6;
     while (high / low > 1 + 1e-9) {
         const double middle = std::sqrt(low * high);
-        (DirectionalLobe::cosine_2s(middle).densities(1).along < lobe.densities(1).along ? low : high) = middle;
+        (lobe_of(middle).densities(1).along < lobe.densities(1).along ? low : high) = middle;
     }
     return low;
 }
-
-double beta_of(const DirectionalLobe& lobe) {
-    double low = 1e-6, high = 1e2;
-    while (high / low > 1 + 1e-9) {
-        const double middle = std::sqrt(low * high);
-        (DirectionalLobe::sech_squared(middle).densities(1).along < lobe.densities(1).along ? low : high) = middle;
-    }
-    return low;
-}
+double exponent_of(const DirectionalLobe& lobe) { return parameter_of(lobe, DirectionalLobe::cosine_2s, 1e4); }
+double beta_of(const DirectionalLobe& lobe) { return parameter_of(lobe, DirectionalLobe::sech_squared, 1e2); }
 
 // Values of the papers, as given by Horvath 2015. Hasselmann's limit is the 1.05 of that paper.
 TEST(Spreading, HasThePublishedWidths) {
