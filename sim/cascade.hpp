@@ -59,13 +59,14 @@ struct CascadeGrid {
     /// Returns whether the grid is rotated against the world's axes.
     bool is_rotated() const { return sine != 0; }
 
-    struct Place {
+    /// A position, velocity or wave number along the axes of the cascade, or of the world.
+    struct Vector {
         double along, across;
     };
     /// Converts a position in the world to metres along the cascade's axes.
-    Place in_cascade(double x_m, double z_m) const { return {cosine * x_m + sine * z_m, cosine * z_m - sine * x_m}; }
+    Vector in_cascade(double x_m, double z_m) const { return {cosine * x_m + sine * z_m, cosine * z_m - sine * x_m}; }
     /// Converts metres along the cascade's axes to x and z in the world.
-    Place in_world(double along_m, double across_m) const {
+    Vector in_world(double along_m, double across_m) const {
         return {cosine * along_m - sine * across_m, sine * along_m + cosine * across_m};
     }
 };

@@ -235,9 +235,10 @@ TEST(Progress, ShowsTheTimeOfALongQueryOnATerminal) {
     const std::string points = (folder / "points.csv").string(), events = (folder / "events.csv").string();
     write_file(points, "1,2\n");
     write_file(events, "time,x,z,radius,height\n0,0,0,2,0.5\n");
-    const std::string shown = shown_on_a_terminal({"query", "--points", points, "--events", events, "--events-resolution",
-                                                   "1024", "--time", "80000", "--resolution", "16"},
-                                                  true);
+    const std::string shown =
+        shown_on_a_terminal({"query", "--points", points, "--events", events, "--events-resolution", "1024", "--time",
+                             "80000", "--resolution", "16"},
+                            true);
     EXPECT_NE(shown.find(" of 80000 s, "), std::string::npos) << shown;
 }
 

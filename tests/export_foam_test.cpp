@@ -290,7 +290,7 @@ TEST(ExportedFoam, SeaJsonAndInfoDescribeFoamAccumulationAndDrift) {
     EXPECT_NEAR(recorded["drift_direction_deg"].get<double>(), std::atan2(z, x) * 180 / 3.14159265358979323846, 1e-9);
     for (std::size_t i = 0; i < 4; ++i) {
         const Cascade& cascade = frame.cascades[i];
-        const CascadeGrid::Place a_loop = cascade.grid.in_cascade(8 * x, 8 * z);
+        const CascadeGrid::Vector a_loop = cascade.grid.in_cascade(8 * x, 8 * z);
         const json& of_cascade = recorded["cascades"][i];
         const double columns = of_cascade["columns_per_loop"], rows = of_cascade["rows_per_loop"];
         EXPECT_NEAR(columns, a_loop.along / cascade.texel_m(), 0.5001);

@@ -59,7 +59,7 @@ Truth truth_at(const Cascade& cascade, int i, int j) {
             (near * (at(i, j + 1) - at(i, j - 1)) + far * (at(i, j + 2) - at(i, j - 2))) / cascade.texel_m());
     };
     const double trace = wide(cascade.dx).along + wide(cascade.dz).across;
-    const CascadeGrid::Place dx = slopes(cascade.dx), h = slopes(cascade.height), dz = slopes(cascade.dz);
+    const CascadeGrid::Vector dx = slopes(cascade.dx), h = slopes(cascade.height), dz = slopes(cascade.dz);
     const Vector along_x{1 + dx.along, h.along, dz.along}, along_z{dx.across, h.across, 1 + dz.across};
     const Vector normal{along_z.y * along_x.z - along_z.z * along_x.y, along_z.z * along_x.x - along_z.x * along_x.z,
                         along_z.x * along_x.y - along_z.y * along_x.x};
@@ -184,7 +184,7 @@ TEST_P(ExportedMaps, DecodedBySeaJsonEqualTheFrame) {
         for (int row = 0; row < n; ++row)
             for (int column = 0; column < n; ++column) {
                 const Vector rest = places.at(column, row);
-                const CascadeGrid::Place place = cascade.grid.in_cascade(rest.x, rest.z);
+                const CascadeGrid::Vector place = cascade.grid.in_cascade(rest.x, rest.z);
                 const double i = place.along / cascade.texel_m(), j = place.across / cascade.texel_m();
                 ASSERT_NEAR(i, column, 1e-6);
                 ASSERT_NEAR(j, std::round(j), 1e-6);

@@ -54,7 +54,7 @@ double foam_by_texels(const Frame& frame, double reference_x_m, double reference
         double sum = 0;
         for (const Cascade& cascade : frame.cascades) {
             if (cascade.compression_r8.empty()) continue;
-            const CascadeGrid::Place at = place(cascade);
+            const CascadeGrid::Vector at = place(cascade);
             const double columns = at.along / cascade.texel_m(), rows = at.across / cascade.texel_m();
             const auto of_now = [&](std::size_t texel) { return -3 + 8 * cascade.compression_r8[texel] / 255.0; };
             const auto of_slot = [&](std::size_t texel) {

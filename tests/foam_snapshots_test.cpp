@@ -52,7 +52,7 @@ class HandSea {
             // At least 32 texels long, so that texels resolve them.
             const int m = 1 + static_cast<int>(random() % 3), p = static_cast<int>(random() % 5) - 2;
             const double spacing = two_pi_in_double / grids[cascade].side_m;
-            const CascadeGrid::Place k = grids[cascade].in_world(m * spacing, p * spacing);
+            const CascadeGrid::Vector k = grids[cascade].in_world(m * spacing, p * spacing);
             const double length = std::hypot(k.along, k.across);
             waves_.push_back(
                 {cascade, k.along, k.across, 0.02 / length, std::sqrt(9.81 * length), two_pi_in_double * uniform()});
@@ -73,7 +73,7 @@ class HandSea {
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {
                 const CascadeGrid& grid = grids[cascade];
-                const CascadeGrid::Place at = grid.in_world(i * grid.side_m / n, j * grid.side_m / n);
+                const CascadeGrid::Vector at = grid.in_world(i * grid.side_m / n, j * grid.side_m / n);
                 double dx = 0, dz = 0;
                 for (const HandWave& wave : waves_) {
                     if (wave.cascade != cascade) continue;
@@ -116,11 +116,11 @@ TEST_P(FoamSnapshotsOnEachIsa, ResolveTheFoamOfKnownWaves) {
     // bit.
     const double drift_x_mps = 0.31, drift_z_mps = -0.2;
     const auto scale = static_cast<float>(1 / sea.deviation());
-    std::array<CascadeGrid::Place, 2> drift_mps;
+    std::array<CascadeGrid::Vector, 2> drift_mps;
     for (std::size_t cascade = 0; cascade < 2; ++cascade) {
         const CascadeGrid& grid = HandSea::grids[cascade];
         const double texel_m = grid.side_m / HandSea::n;
-        const CascadeGrid::Place along = grid.in_cascade(drift_x_mps, drift_z_mps);
+        const CascadeGrid::Vector along = grid.in_cascade(drift_x_mps, drift_z_mps);
         const DriftTexels loop{static_cast<int>(std::lround(along.along * 200 / texel_m)),
                                static_cast<int>(std::lround(along.across * 200 / texel_m))};
         snapshots.set_sea(cascade, 1, loop);

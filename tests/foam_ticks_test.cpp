@@ -136,7 +136,7 @@ TEST(FoamDrift, MatchesWindAndStokesDriftOverALoop) {
         EXPECT_NEAR(drift_z * std::cos(direction) - drift_x * std::sin(direction), 0, 0.02 * along);
         for (const Cascade& cascade : frame.cascades) {
             const DriftTexels loop = drift_per_loop(frame.statistics, cascade.grid, cascade.resolution(), clock);
-            const CascadeGrid::Place moved =
+            const CascadeGrid::Vector moved =
                 cascade.grid.in_world(loop.x * cascade.texel_m(), loop.z * cascade.texel_m());
             // Rounded to whole texels along each of two axes.
             const double bound = std::sqrt(0.5) * cascade.texel_m() / sea.loop_period_s * (1 + 1e-9);

@@ -44,7 +44,7 @@ TEST(SceneBlock, PlacesAViewerInEachRotatedCascade) {
     for (std::size_t i = 0; i < facts.cascades.size(); ++i) {
         const CascadeGrid& grid = facts.cascades[i].grid;
         for (const double cascades : {0.0, 1e6}) {
-            const CascadeGrid::Place at =
+            const CascadeGrid::Vector at =
                 grid.in_world((cascades + 0.25) * grid.side_m, (3 * cascades + 0.5) * grid.side_m);
             const gl::SceneBlock block = gl::scene_block_of(
                 {.eyes = {}, .viewer_m = glm::dvec3(at.along, 5, at.across), .list = &list}, facts, {}, {});

@@ -76,7 +76,7 @@ TEST(MeanSquareSlope, OfARotatedCascadeIsThatOfItsWavesInTheWorld) {
     for (int i = 0; i < 30; ++i) {
         const double square = number() + 0.5, along = number(), across = number();
         in_cascade.add_wave(square, along, across);
-        const CascadeGrid::Place wave = grid.in_world(along, across);
+        const CascadeGrid::Vector wave = grid.in_world(along, across);
         in_world.add_wave(square, wave.along, wave.across);
     }
     const SlopeMoments turned = in_cascade.in_world(grid);

@@ -175,7 +175,7 @@ TEST(SwellArrival, LongWavesArriveBeforeShortWaves) {
         const double spacing = two_pi / cascade.grid.side_m;
         for (int steps = 2; steps < 24; steps += 2) {
             // The swell's direction in the cascade's axes.
-            const CascadeGrid::Place along = cascade.grid.in_cascade(std::cos(0.6), std::sin(0.6));
+            const CascadeGrid::Vector along = cascade.grid.in_cascade(std::cos(0.6), std::sin(0.6));
             const int m = static_cast<int>(std::lround(steps * along.along));
             const int n = static_cast<int>(std::lround(steps * along.across));
             const double omega = angular_frequency(spacing * std::hypot(m, n), sea_with_swell.depth_m);

@@ -8,12 +8,12 @@
 namespace pelagic::peers {
 namespace {
 
-struct Place {
+struct CellPosition {
     int cell_x, cell_z;
     float u, v;
 };
 
-Place place_in_texels(const Frame& frame, double x_m, double z_m) {
+CellPosition position_in_texels(const Frame& frame, double x_m, double z_m) {
     const double texel_m = frame.cascades[0].texel_m();
     const double x = x_m / texel_m, z = z_m / texel_m;
     const auto floor_of = [](double t) {
@@ -44,7 +44,7 @@ struct HorizontalDisplacement {
     float value, along_u, along_v;
 };
 
-HorizontalDisplacement horizontal(const SurfaceTexels& surface, const float* plane, const Place& at,
+HorizontalDisplacement horizontal(const SurfaceTexels& surface, const float* plane, const CellPosition& at,
                                   float texels_per_m) {
     const float v00 = plane[texel_offset(surface, at.cell_x, at.cell_z)];
     const float v10 = plane[texel_offset(surface, at.cell_x + 1, at.cell_z)];
@@ -59,7 +59,7 @@ struct Slopes {
     float value, x, z;
 };
 
-Slopes slopes(const SurfaceTexels& surface, const float* plane, const Place& at) {
+Slopes slopes(const SurfaceTexels& surface, const float* plane, const CellPosition& at) {
     const auto texel = [&](int i, int j) { return plane[texel_offset(surface, at.cell_x + i, at.cell_z + j)]; };
     const auto along = [&](int i, int j) {
         return bilinear(texel(i, j) - texel(-i, -j), texel(1 + i, j) - texel(1 - i, -j),
@@ -75,8 +75,8 @@ ScalarSample scalar_query(const Frame& frame, double x_m, double z_m, double tol
     const double texel_m = frame.cascades[0].texel_m();
     const auto texels_per_m = static_cast<float>(1 / texel_m);
     const auto target = static_cast<float>(std::clamp(tolerance_m / 64 / texel_m, 4e-6, 1.0 / 64));
-    const Place world = place_in_texels(frame, x_m, z_m);
-    Place at = world;
+    const CellPosition world = position_in_texels(frame, x_m, z_m);
+    CellPosition at = world;
     float squared = 0;
     for (int step = 0;; ++step) {
         const HorizontalDisplacement dx = horizontal(surface, surface.dx, at, texels_per_m);
@@ -110,7 +110,7 @@ ScalarSample scalar_query(const Frame& frame, double x_m, double z_m, double tol
 
 float scalar_lookup(const Frame& frame, double x_m, double z_m) {
     const SurfaceTexels surface = texels_of(frame.cascades[0]);
-    const Place at = place_in_texels(frame, x_m, z_m);
+    const CellPosition at = position_in_texels(frame, x_m, z_m);
     const auto texel = [&](int i, int j) {
         return surface.height[texel_offset(surface, at.cell_x + i, at.cell_z + j)];
     };

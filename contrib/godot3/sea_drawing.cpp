@@ -361,7 +361,7 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
         const Cascade& cascade = frame.cascades[i];
         const double side = cascade.grid.side_m;
-        const CascadeGrid::Place at = cascade.grid.in_cascade(in_water.x, in_water.y);
+        const CascadeGrid::Vector at = cascade.grid.in_cascade(in_water.x, in_water.y);
         const std::string number = std::to_string(i);
         // The centre of a texture's texel is half a texel from its reference position.
         set(("cascade_place_" + number).c_str(),

@@ -98,7 +98,7 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
     place_crests(block, sea, in_water);
     block.caustic_row[0].w = static_cast<float>(caustics.depth_m);
     if (const CascadeGrid& grid = caustics.grid; grid.side_m > 0) {
-        const CascadeGrid::Place at = grid.in_cascade(in_water.x, in_water.y);
+        const CascadeGrid::Vector at = grid.in_cascade(in_water.x, in_water.y);
         const auto fraction = [&](double value) { return value / grid.side_m - std::floor(value / grid.side_m); };
         block.caustic_place = {fraction(at.along), fraction(at.across), grid.cosine / grid.side_m,
                                grid.sine / grid.side_m};

@@ -54,7 +54,7 @@ void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer)
     for (std::size_t i = 0; i < facts.cascades.size(); ++i) {
         const CascadeFacts& cascade = facts.cascades[i];
         const double side = cascade.grid.side_m;
-        const CascadeGrid::Place at = cascade.grid.in_cascade(viewer.x, viewer.y);
+        const CascadeGrid::Vector at = cascade.grid.in_cascade(viewer.x, viewer.y);
         block.cascade_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
                                   cascade.grid.cosine / side, cascade.grid.sine / side};
         const double noise_m = cascade_noise_sides * side;

@@ -118,7 +118,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
     const double spacing = cascade.spacing();
     const ShownSlope resolved_z = resolved_slope(cascade, n), filtered_z = filtered_slope(cascade, n);
     const WindDrift usual = usual_foam_drift(sea);
-    const CascadeGrid::Place foam_drift = cascade.grid.in_cascade(usual.x_mps, usual.z_mps);
+    const CascadeGrid::Vector foam_drift = cascade.grid.in_cascade(usual.x_mps, usual.z_mps);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 is its own mirror
     LineStatistics all;
     float* wave = out.block(line / out.lanes) + line % out.lanes;

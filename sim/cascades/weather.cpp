@@ -151,7 +151,7 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
 }
 
 Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeGrid& grid) {
-    const CascadeGrid::Place stokes = grid.in_world(statistics.stokes_x, statistics.stokes_z);
+    const CascadeGrid::Vector stokes = grid.in_world(statistics.stokes_x, statistics.stokes_z);
     return {.height_variance = statistics.height_variance,
             .slopes = statistics.slopes.in_world(grid),
             .drift_x_mps = stokes.along,

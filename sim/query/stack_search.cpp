@@ -37,12 +37,12 @@ constexpr double square_root_of_2 = 1.41421356237309515;
 
 double length_of(double x, double z) { return std::sqrt(x * x + z * z); }
 
-struct CellPlace {
+struct CellPosition {
     int i, j;
     double u, v;
 };
 
-CellPlace place_in(const SearchCascade& cascade, const StackPoint& point, std::size_t number, Offset offset) {
+CellPosition position_in(const SearchCascade& cascade, const StackPoint& point, std::size_t number, Offset offset) {
     const double u = point.u[number] + (cascade.along * offset.x + cascade.across * offset.z);
     const double v = point.v[number] + (cascade.along * offset.z - cascade.across * offset.x);
     const double column = std::floor(u), row = std::floor(v);
@@ -52,10 +52,10 @@ CellPlace place_in(const SearchCascade& cascade, const StackPoint& point, std::s
 
 /// Returns the horizontal displacement of one cascade, metres.
 Offset displacement_at(const SearchCascade& cascade, const StackPoint& point, std::size_t number, Offset offset) {
-    const CellPlace place = place_in(cascade, point, number, offset);
-    const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
+    const CellPosition at = position_in(cascade, point, number, offset);
+    const CascadeCell cell(cascade.texels, at.i, at.j, cascade.interpolation);
     const auto [x, z] =
-        cell.values_at(CascadeCell::Planar<2>{cascade.texels.dx, cascade.texels.dz}, place.u, place.v);
+        cell.values_at(CascadeCell::Planar<2>{cascade.texels.dx, cascade.texels.dz}, at.u, at.v);
     return {x, z};
 }
 
@@ -121,9 +121,9 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
     Drawn drawn{.x = offset.x, .z = offset.z};
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         const SearchCascade& cascade = cascades_[t];
-        const CellPlace place = place_in(cascade, point, t, offset);
-        const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
-        const auto [dx, dz] = cell.at(CascadeCell::Planar<2>{cascade.texels.dx, cascade.texels.dz}, place.u, place.v);
+        const CellPosition at = position_in(cascade, point, t, offset);
+        const CascadeCell cell(cascade.texels, at.i, at.j, cascade.interpolation);
+        const auto [dx, dz] = cell.at(CascadeCell::Planar<2>{cascade.texels.dx, cascade.texels.dz}, at.u, at.v);
         const double weight = point.weight[t];
         drawn.x += weight * dx.value;
         drawn.z += weight * dz.value;
@@ -174,10 +174,9 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
     double height = 0;
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         const SearchCascade& cascade = cascades_[t];
-        const CellPlace place = place_in(cascade, point, t, offset);
-        const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
-        height +=
-            point.weight[t] * cell.values_at(CascadeCell::Planar<1>{cascade.texels.height}, place.u, place.v)[0];
+        const CellPosition at = position_in(cascade, point, t, offset);
+        const CascadeCell cell(cascade.texels, at.i, at.j, cascade.interpolation);
+        height += point.weight[t] * cell.values_at(CascadeCell::Planar<1>{cascade.texels.height}, at.u, at.v)[0];
     }
     return height;
 }
@@ -187,12 +186,12 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
 double StackSearch::contraction_within(const StackPoint& point, std::size_t number, Offset centre,
                                        double reach) const {
     const SearchCascade& cascade = cascades_[number];
-    const CellPlace place = place_in(cascade, point, number, centre);
+    const CellPosition at = position_in(cascade, point, number, centre);
     const int n = cascade.texels.resolution;
-    const int first_i = place.i + static_cast<int>(std::floor(place.u - reach));
-    const int last_i = place.i + static_cast<int>(std::floor(place.u + reach));
-    const int first_j = place.j + static_cast<int>(std::floor(place.v - reach));
-    const int last_j = place.j + static_cast<int>(std::floor(place.v + reach));
+    const int first_i = at.i + static_cast<int>(std::floor(at.u - reach));
+    const int last_i = at.i + static_cast<int>(std::floor(at.u + reach));
+    const int first_j = at.j + static_cast<int>(std::floor(at.v - reach));
+    const int last_j = at.j + static_cast<int>(std::floor(at.v + reach));
     // Choose the finest level at which two blocks along each axis cover the square.
     const std::uint8_t* blocks = cascade.contraction.blocks.data();
     int shift = 1, side = n / 2;

@@ -77,7 +77,7 @@ GridIndex nearest_place(const CascadeGrid& grid, double turns_per_m_x, double tu
     return {nearest(along), nearest(across)};
 }
 
-CascadeGrid::Place turns_per_m_of(const CascadeGrid& grid, const GridIndex& at) {
+CascadeGrid::Vector turns_per_m_of(const CascadeGrid& grid, const GridIndex& at) {
     return grid.in_world(at.m / grid.side_m, at.n / grid.side_m);
 }
 

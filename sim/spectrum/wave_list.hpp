@@ -29,7 +29,7 @@ struct GridIndex {
 /// world's axes
 GridIndex nearest_place(const CascadeGrid& grid, double turns_per_m_x, double turns_per_m_z);
 /// Returns the wave vector of a grid index, in turns per metre along the world's axes.
-CascadeGrid::Place turns_per_m_of(const CascadeGrid& grid, const GridIndex& at);
+CascadeGrid::Vector turns_per_m_of(const CascadeGrid& grid, const GridIndex& at);
 
 /// A wave of an analytic sea on a cascade's grid.
 struct GridWave {

@@ -14,9 +14,9 @@ struct Columns {
 };
 
 Columns columns_at(const CascadeGrid& grid, int resolution, double x_m, double z_m) {
-    const CascadeGrid::Place place = grid.in_cascade(x_m, z_m);
+    const CascadeGrid::Vector at = grid.in_cascade(x_m, z_m);
     const double n = resolution, texel_m = grid.side_m / n;
-    const double along = place.along / texel_m, across = place.across / texel_m;
+    const double along = at.along / texel_m, across = at.across / texel_m;
     return {along - std::floor(along / n) * n, across - std::floor(across / n) * n};
 }
 

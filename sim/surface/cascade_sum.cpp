@@ -10,18 +10,18 @@ namespace pelagic {
 namespace {
 
 /// A position in texels, along the axes of a cascade.
-struct TexelPlace {
+struct TexelPosition {
     double along, across;
 };
 
-TexelPlace place_in_texels(const Cascade& cascade, double x_m, double z_m) {
-    const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
+TexelPosition position_in_texels(const Cascade& cascade, double x_m, double z_m) {
+    const CascadeGrid::Vector at = cascade.grid.in_cascade(x_m, z_m);
     const double texels_per_m = cascade.resolution() / cascade.grid.side_m;
-    return {place.along * texels_per_m, place.across * texels_per_m};
+    return {at.along * texels_per_m, at.across * texels_per_m};
 }
 
 /// Interpolates three planes.
-Displacement between(const SurfaceTexels& texels, const std::array<const float*, 3>& planes, const TexelPlace& at) {
+Displacement between(const SurfaceTexels& texels, const std::array<const float*, 3>& planes, const TexelPosition& at) {
     const double column = std::floor(at.along), row = std::floor(at.across);
     const double right = at.along - column, down = at.across - row;
     // The resolution is a power of two, so the mask also wraps negative indices.
@@ -77,7 +77,7 @@ Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
     const DefaultFloatEnvironment environment(x_m, z_m);
     const SurfaceTexels texels = texels_of(cascade);
     return environment.result(
-        between(texels, {texels.dx, texels.height, texels.dz}, place_in_texels(cascade, x_m, z_m)));
+        between(texels, {texels.dx, texels.height, texels.dz}, position_in_texels(cascade, x_m, z_m)));
 }
 
 Displacement displacement_of(const Frame& frame, double x_m, double z_m) {
@@ -90,7 +90,7 @@ Displacement velocity_of(const Cascade& cascade, double x_m, double z_m) {
     const DefaultFloatEnvironment environment(x_m, z_m);
     const SurfaceTexels texels = texels_of(cascade);
     return environment.result(between(texels, {texels.velocity_x, texels.velocity_y, texels.velocity_z},
-                                      place_in_texels(cascade, x_m, z_m)));
+                                      position_in_texels(cascade, x_m, z_m)));
 }
 
 Displacement velocity_of(const Frame& frame, double x_m, double z_m) {
@@ -103,7 +103,7 @@ Displacement velocity_of(const Frame& frame, double x_m, double z_m) {
 SurfaceSlopes slopes_of(const Cascade& cascade, double x_m, double z_m) {
     const DefaultFloatEnvironment environment(x_m, z_m);
     const SurfaceTexels texels = texels_of(cascade);
-    const TexelPlace at = place_in_texels(cascade, x_m, z_m);
+    const TexelPosition at = position_in_texels(cascade, x_m, z_m);
     const auto derivative = [&](double along, double across) {
         const auto difference = [&](double reach) {
             const auto moved = [&](double by) {
@@ -171,8 +171,8 @@ float FoamSampler::at(double x_m, double z_m, std::span<const float> weights) co
     for (std::size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
         if (cascade.compression_r8.empty()) continue;
-        const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
-        const double columns = place.along / cascade.texel_m(), rows = place.across / cascade.texel_m();
+        const CascadeGrid::Vector at = cascade.grid.in_cascade(x_m, z_m);
+        const double columns = at.along / cascade.texel_m(), rows = at.across / cascade.texel_m();
         const WeightedTexels here = texels_at(cascade, columns, rows);
         drifted[count] = texels_at(cascade, columns - cascade.drift_columns, rows - cascade.drift_rows);
         factors[count] = weights.empty() ? 1 : weights[i];

@@ -64,7 +64,7 @@ std::size_t cascades_shown_by(double step_m, std::span<const CascadePlan> plans)
 }
 
 glm::vec2 texture_coordinates_of(const Cascade& coarsest, glm::dvec2 rest) {
-    const CascadeGrid::Place place = coarsest.grid.in_cascade(rest.x, rest.y);
+    const CascadeGrid::Vector place = coarsest.grid.in_cascade(rest.x, rest.y);
     const double side_m = coarsest.grid.side_m;
     const double half_m = coarsest.texel_m() / 2;  // from a texel's corner to its centre
     return glm::dvec2((place.along + half_m) / side_m, 1 - (place.across + half_m) / side_m);
