@@ -174,54 +174,47 @@ enum {
 typedef struct pelagic_sea {
     uint32_t struct_size;
     /* generated from schema/sea.toml: c-members */
-    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m,
-     * short_wave_cutoff, wind_alignment, the swell and seed. Only the other models use wave_count
-     * and the options after it. All models use the wind, whose direction is that of their waves. */
+    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, short_wave_cutoff,
+     * wind_alignment, the swell and seed. Only the other models use wave_count and the options after it. All models
+     * use the wind, whose direction is that of their waves. */
     int32_t waves;
     int32_t spectrum; /* PELAGIC_SPECTRUM_...; wave spectrum */
     /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper accepts only paper. */
     int32_t spreading;
-    /* Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m
-     * is set, the resolution is 16 or the model has only one. More than one excludes patch_size_m. */
+    /* Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m is set, the
+     * resolution is 16 or the model has only one. More than one excludes patch_size_m. */
     int32_t cascades;
-    /* N, texels along a side of each cascade; a power of two from 16 to 2048. 0: 128, or 256 if
-     * patch_size_m is set. */
+    /* N, texels along a side of each cascade; a power of two from 16 to 2048. 0: 128, or 256 if patch_size_m is
+     * set. */
     int32_t resolution;
     uint32_t seed; /* seed of the random phases and amplitudes */
     /* Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves. */
     int32_t wave_count;
-    /* L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived
-     * from the sea. */
+    /* L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived from the sea. */
     double patch_size_m;
-    double wind_speed_mps; /* U10, mean wind speed 10 m above the sea; (0, 60] */
-    /* Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi]. */
-    double wind_direction_rad;
-    /* Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
-     * an effect; (0, 2e6]. */
+    double wind_speed_mps;     /* U10, mean wind speed 10 m above the sea; (0, 60] */
+    double wind_direction_rad; /* direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
+    /* Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has an effect;
+     * (0, 2e6]. */
     double fetch_m;
-    /* Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
-     * [1, 10]. */
+    /* Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10]. */
     double peak_enhancement;
-    /* Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6
-     * of it break. */
+    /* Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6 of it break. */
     double depth_m;
     /* Scale of horizontal displacements; [0, 1]. 0 gives a height field. */
     double choppiness;
-    /* GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
-     * that the cascades do not resolve in this wind. */
+    /* GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the cascades
+     * do not resolve in this wind. */
     double roughness;
     /* 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength; [0, 1]. */
     double short_wave_cutoff;
-    /* Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1].
-     * With 0 a third of the energy runs against the wind and little across it; with 1 a hundredth
-     * runs against it. */
+    /* Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1]. With 0 a third
+     * of the energy runs against the wind and little across it; with 1 a hundredth runs against it. */
     double wind_alignment;
-    /* Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no
-     * swell. */
+    /* Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no swell. */
     double swell_height_m;
-    double swell_period_s; /* peak period of the swell; [1, 40] */
-    /* Direction that the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi]. */
-    double swell_direction_rad;
+    double swell_period_s;      /* peak period of the swell; [1, 40] */
+    double swell_direction_rad; /* direction that the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi] */
     /* Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default. */
     double swell_spread_rad;
     double loop_period_s; /* T, the period after which the sea repeats exactly; [0.1, 86400] */
@@ -231,8 +224,8 @@ typedef struct pelagic_sea {
     double shortest_wave_m;
     /* Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2]. */
     double wave_strength;
-    /* Significant wave height of an analytic sea or a pond; [0, 30]. 0: from wave_strength, of a
-     * pond 0.017 longest_wave_m. Of a pond it is above 0. */
+    /* Significant wave height of an analytic sea or a pond; [0, 30]. 0: from wave_strength, of a pond 0.017
+     * longest_wave_m. Of a pond it is above 0. */
     double wave_height_m;
     double wave_drag; /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
     /* end of generated */
@@ -712,11 +705,11 @@ PELAGIC_API pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, c
 
 /* generated from schema/dynamic_waves.toml: c-enumerations */
 enum {
-    /* Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at
-     * any length of a tick; wakes have Kelvin's angle. */
+    /* Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at any length of a
+     * tick; wakes have Kelvin's angle. */
     PELAGIC_DYNAMIC_WAVES_SPECTRAL = 0,
-    /* H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4: one
-     * speed for all waves, for ponds and rings. */
+    /* H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4: one speed for all
+     * waves, for ponds and rings. */
     PELAGIC_DYNAMIC_WAVES_VERLET = 1
 };
 /* end of generated */
@@ -730,12 +723,10 @@ typedef struct pelagic_dynamic_waves_options {
     int32_t resolution;  /* N, texels along a side; 64, 128, 256, 512 or 1024 */
     int32_t ticks_per_s; /* ticks of the simulation a second; [10, 240] */
     double side_m;       /* side of the grid; [1, 10000] */
-    /* Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves
-     * wrap around. */
+    /* Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves wrap around. */
     double border_m;
-    double depth_m; /* depth of the water (spectral); [0.01, 11000] */
-    /* Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1]. */
-    double viscosity_m2ps;
+    double depth_m;        /* depth of the water (spectral); [0.01, 11000] */
+    double viscosity_m2ps; /* eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1] */
     /* Speed of all waves, with (speed / (ticks_per_s texel))^2 at most 0.4 (verlet); (0, 1000]. */
     double wave_speed_mps;
     double decay_per_s;   /* decay rate of amplitudes; [0, 10] */
@@ -762,24 +753,22 @@ static inline pelagic_dynamic_waves_options pelagic_dynamic_waves_options_make(v
 enum {
     /* height_m exp(-(r / radius_m)^2), cut off at 3 radii. */
     PELAGIC_SHAPE_GAUSS = 0,
-    /* height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2) within that ellipse; height_m
-     * of a floating hull is below 0. */
+    /* height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2) within that ellipse; height_m of a floating
+     * hull is below 0. */
     PELAGIC_SHAPE_HULL = 1
 };
 
 enum {
-    /* A pressure, or suction, equal to the weight of the shape's water: at rest the surface becomes
-     * the shape and stays so, and a moving one leaves the waves of a moving pressure (Havelock
-     * 1908). The volume of the water is constant. */
+    /* A pressure, or suction, equal to the weight of the shape's water: at rest the surface becomes the shape and
+     * stays so, and a moving one leaves the waves of a moving pressure (Havelock 1908). The volume of the water is
+     * constant. */
     PELAGIC_DISTURBANCE_PRESSURE = 0,
-    /* The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the
-     * difference, times the shape over its height. The bulge is bounded, and its volume is added to
-     * the water. */
+    /* The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the difference, times the
+     * shape over its height. The bulge is bounded, and its volume is added to the water. */
     PELAGIC_DISTURBANCE_RELAXATION = 1,
     /* The shape is added to the surface at once: a drop, a stone. */
     PELAGIC_DISTURBANCE_IMPULSE = 2,
-    /* Adds the foam that waves as high as the shape have, and no waves: water that a hull or a
-     * propeller breaks. */
+    /* Adds the foam that waves as high as the shape have, and no waves: water that a hull or a propeller breaks. */
     PELAGIC_DISTURBANCE_FOAM = 3
 };
 /* end of generated */
@@ -788,16 +777,15 @@ enum {
 typedef struct pelagic_disturbance {
     uint32_t struct_size;
     /* generated from schema/disturbance.toml: c-members */
-    int32_t shape;      /* PELAGIC_SHAPE_...; shape */
-    int32_t mode;       /* PELAGIC_DISTURBANCE_...; what the shape does to the water */
-    double x_m, z_m;    /* initial position in the world; [-1e8, 1e8] */
-    double radius_m;    /* radius, of a hull half its beam; [0.001, 1000] */
-    double length_m;    /* half the length of a hull; [0.001, 1000] */
-    double heading_rad; /* direction of a hull's length, from +x towards +z; [-2 pi, 2 pi] */
-    double height_m;    /* height of the shape, below 0 for a floating hull; [-100, 100] */
-    double rate_per_s;  /* rate of a relaxation; (0, 1000] */
-    /* Velocity of a source until it is replaced; [-1000, 1000]. */
-    double velocity_x_mps, velocity_z_mps;
+    int32_t shape;                         /* PELAGIC_SHAPE_...; shape */
+    int32_t mode;                          /* PELAGIC_DISTURBANCE_...; what the shape does to the water */
+    double x_m, z_m;                       /* initial position in the world; [-1e8, 1e8] */
+    double radius_m;                       /* radius, of a hull half its beam; [0.001, 1000] */
+    double length_m;                       /* half the length of a hull; [0.001, 1000] */
+    double heading_rad;                    /* direction of a hull's length, from +x towards +z; [-2 pi, 2 pi] */
+    double height_m;                       /* height of the shape, below 0 for a floating hull; [-100, 100] */
+    double rate_per_s;                     /* rate of a relaxation; (0, 1000] */
+    double velocity_x_mps, velocity_z_mps; /* velocity of a source until it is replaced; [-1000, 1000] */
     /* end of generated */
 } pelagic_disturbance;
 /* generated from schema/disturbance.toml: c-make */
@@ -877,11 +865,10 @@ typedef struct pelagic_rain {
     uint32_t struct_size;
     /* generated from schema/rain.toml: c-members */
     uint32_t seed; /* seed of the drops */
-    /* Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number.
-     * 0: no rain. */
+    /* Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number. 0: no rain. */
     double drops_per_m2_s;
-    /* Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel
-     * is a texel wide on the grid, flatter and with equal volume. */
+    /* Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel is a texel wide
+     * on the grid, flatter and with equal volume. */
     double radius_m;
     double height_m; /* depth of a crater; [-10, 10] */
     /* end of generated */
@@ -1039,19 +1026,17 @@ PELAGIC_API pelagic_status pelagic_ocean_restore_spray(pelagic_ocean* ocean, con
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
     /* generated from schema/shore.toml: c-members */
-    int32_t columns; /* samples of the floor along x; 2 to 4096 */
-    int32_t rows;    /* samples of the floor along z; 2 to 4096 */
-    /* Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024. */
-    int32_t resolution;
+    int32_t columns;               /* samples of the floor along x; 2 to 4096 */
+    int32_t rows;                  /* samples of the floor along z; 2 to 4096 */
+    int32_t resolution;            /* texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024 */
     double corner_x_m, corner_z_m; /* position of the first sample; [-1e8, 1e8] */
     double metres_per_sample;      /* distance of neighbouring samples; [0.001, 10000] */
-    /* Width of the strip along the edges over which the coarsest cascade fades into waves over the
-     * floor; [0, half the field's shorter side]. 0: an eighth of the shorter side. */
+    /* Width of the strip along the edges over which the coarsest cascade fades into waves over the floor;
+     * [0, half the field's shorter side]. 0: an eighth of the shorter side. */
     double fade_m;
-    /* Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0:
-     * the height that 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant
-     * wave height and peak period and the median slope at the waterline. Waves in the water do not
-     * depend on it. */
+    /* Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0: the height that 2
+     * % of the waves reach by Stockdon et al. 2006, from the sea's significant wave height and peak period and the
+     * median slope at the waterline. Waves in the water do not depend on it. */
     double swash_m;
     /* end of generated */
     /* columns * rows heights above the rest level, [-11000, 9000]; sample (i, j) is element j * columns + i. Read
@@ -1135,10 +1120,9 @@ typedef struct pelagic_ripple {
     /* generated from schema/ripple.toml: c-members */
     double x_m, z_m;     /* centre; [-1e8, 1e8] */
     double wavelength_m; /* wavelength; [0.01, 1000] */
-    /* Amplitude at the centre, at most wavelength_m / (2 pi), a slope of 1; [0, 100]. */
-    double amplitude_m;
-    /* Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
-     * half of that side. */
+    double amplitude_m;  /* amplitude at the centre, at most wavelength_m / (2 pi), a slope of 1; [0, 100] */
+    /* Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side: half of that
+     * side. */
     double reach_m;
     double phase_rad; /* phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi] */
     /* end of generated */
@@ -1286,16 +1270,15 @@ typedef struct pelagic_hull_options {
     double heave_damping;        /* fraction of critical damping, of pitch too; [0, 0.999] */
     double roll_damping;         /* fraction of critical damping of roll at |GM|; [0, 0.999] */
     double pressure_coefficient; /* drag of advancing faces; [0, 10] */
-    /* Drag of retreating faces; with pressure_coefficient 0.7 the drag is that of a cube, 1.05
-     * (Hoerner 1965); [0, 10]. */
+    /* Drag of retreating faces; with pressure_coefficient 0.7 the drag is that of a cube, 1.05 (Hoerner 1965);
+     * [0, 10]. */
     double suction_coefficient;
-    /* Friction along faces; ITTC 1957 at a Reynolds number of 3e6; [0, 1]. */
-    double friction_coefficient;
-    double air_coefficient;     /* drag of faces above the water; [0, 10] */
-    double water_density_kgpm3; /* density of the water; [500, 2000] */
-    double air_density_kgpm3;   /* density of the air; [0, 10] */
-    /* Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull
-     * under thrust; [0, 1e4]. 0: none. */
+    double friction_coefficient; /* friction along faces; ITTC 1957 at a Reynolds number of 3e6; [0, 1] */
+    double air_coefficient;      /* drag of faces above the water; [0, 10] */
+    double water_density_kgpm3;  /* density of the water; [500, 2000] */
+    double air_density_kgpm3;    /* density of the air; [0, 10] */
+    /* Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull under thrust;
+     * [0, 1e4]. 0: none. */
     double skeg_m2;
     double skeg_x_m, skeg_y_m; /* middle of the skeg in the axes of the mesh; [-1000, 1000] */
     /* end of generated */

@@ -7,7 +7,7 @@ from schema import UNITS, number_of
 
 CPP_TYPES = {"double": "double", "float": "float", "int": "int", "uint32": "std::uint32_t", "bool": "bool"}
 C_TYPES = {"double": "double", "float": "float", "int": "int32_t", "uint32": "uint32_t", "bool": "int32_t", "enum": "int32_t"}
-COMMENT_WIDTH, CODE_WIDTH = 96, 114
+COMMENT_WIDTH, C_WIDTH, CODE_WIDTH = 96, 112, 114
 
 
 def named(text, name_of):
@@ -32,10 +32,10 @@ def description(option, also=None, values=""):
     return text + (" " + named(option.more, str) if option.more else "")
 
 
-def wrapped(text, first, others=None):
+def wrapped(text, first, others=None, width=COMMENT_WIDTH):
     """Lines of a text, which do not break within a range such as "[0, 1]"."""
     kept = re.sub(r"[\[(][^\[\]()]*\]", lambda match: match[0].replace(" ", "\0"), text)
-    lines = textwrap.wrap(kept, COMMENT_WIDTH, initial_indent=first, subsequent_indent=first if others is None else others,
+    lines = textwrap.wrap(kept, width, initial_indent=first, subsequent_indent=first if others is None else others,
                           break_long_words=False, break_on_hyphens=False)
     return [line.replace("\0", " ") for line in lines]
 
@@ -84,9 +84,9 @@ def beside(text):
     return (text[0].lower() if text[1].islower() else text[0]) + text[1:].rstrip(".")
 
 
-def with_comment(member, text, after, above):
+def with_comment(member, text, after, above, width=COMMENT_WIDTH):
     """A member with its description on its line, if that is one sentence and fits, else above it."""
-    return [member + after] if len(member + after) < COMMENT_WIDTH and ". " not in text else [*above, member]
+    return [member + after] if len(member + after) < width and ". " not in text else [*above, member]
 
 
 PI_IN_CPP = {"-2 pi": "-two_pi", "2 pi": "two_pi", "pi/180": "two_pi / 360", "4 pi/9": "2 * two_pi / 9",
@@ -184,7 +184,7 @@ def enumeration_checks(schema):
 # ---- C ------------------------------------------------------------------------------------------
 
 def c_comment(text):
-    lines = wrapped(text, "/* ", " * ")
+    lines = wrapped(text, "/* ", " * ", C_WIDTH)
     lines[-1] += " */"
     return lines
 
@@ -204,7 +204,7 @@ def c_fields(schema):
     lines = []
     for (type_, text), options in itertools.groupby(c_options(schema), lambda option: (C_TYPES[option.type], c_description(option))):
         member = f"{type_} {', '.join(option.name for option in options)};"
-        lines += with_comment(member, text, f" /* {beside(text)} */", c_comment(text))
+        lines += with_comment(member, text, f" /* {beside(text)} */", c_comment(text), C_WIDTH)
     return aligned(lines, " /* ")
 
 

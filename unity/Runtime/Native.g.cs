@@ -78,13 +78,13 @@ namespace Pelagic
     public enum DynamicWavesKind
     {
         /// <summary>
-        /// Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at
-        /// any length of a tick; wakes have Kelvin's angle.
+        /// Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at any length of a
+        /// tick; wakes have Kelvin's angle.
         /// </summary>
         Spectral = 0,
         /// <summary>
-        /// H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 &lt;= 0.4: one
-        /// speed for all waves, for ponds and rings.
+        /// H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 &lt;= 0.4: one speed for all
+        /// waves, for ponds and rings.
         /// </summary>
         Verlet = 1,
     }
@@ -94,8 +94,8 @@ namespace Pelagic
         /// <summary>HeightM exp(-(r / RadiusM)^2), cut off at 3 radii.</summary>
         Gauss = 0,
         /// <summary>
-        /// HeightM sqrt(1 - (along / LengthM)^2 - (across / RadiusM)^2) within that ellipse; HeightM
-        /// of a floating hull is below 0.
+        /// HeightM sqrt(1 - (along / LengthM)^2 - (across / RadiusM)^2) within that ellipse; HeightM of a floating
+        /// hull is below 0.
         /// </summary>
         Hull = 1,
     }
@@ -103,22 +103,20 @@ namespace Pelagic
     public enum DisturbanceKind
     {
         /// <summary>
-        /// A pressure, or suction, equal to the weight of the shape's water: at rest the surface becomes
-        /// the shape and stays so, and a moving one leaves the waves of a moving pressure (Havelock
-        /// 1908). The volume of the water is constant.
+        /// A pressure, or suction, equal to the weight of the shape's water: at rest the surface becomes the shape and
+        /// stays so, and a moving one leaves the waves of a moving pressure (Havelock 1908). The volume of the water is
+        /// constant.
         /// </summary>
         Pressure = 0,
         /// <summary>
-        /// The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the
-        /// difference, times the shape over its height. The bulge is bounded, and its volume is added to
-        /// the water.
+        /// The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the difference, times the
+        /// shape over its height. The bulge is bounded, and its volume is added to the water.
         /// </summary>
         Relaxation = 1,
         /// <summary>The shape is added to the surface at once: a drop, a stone.</summary>
         Impulse = 2,
         /// <summary>
-        /// Adds the foam that waves as high as the shape have, and no waves: water that a hull or a
-        /// propeller breaks.
+        /// Adds the foam that waves as high as the shape have, and no waves: water that a hull or a propeller breaks.
         /// </summary>
         Foam = 3,
     }
@@ -140,9 +138,9 @@ namespace Pelagic
     {
         internal uint struct_size;
         /// <summary>
-        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, DepthM,
-        /// ShortWaveCutoff, WindAlignment, the swell and seed. Only the other models use WaveCount
-        /// and the options after it. All models use the wind, whose direction is that of their waves.
+        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, DepthM, ShortWaveCutoff,
+        /// WindAlignment, the swell and seed. Only the other models use WaveCount and the options after it. All models
+        /// use the wind, whose direction is that of their waves.
         /// </summary>
         public WavesKind Waves;
         /// <summary>Spectrum; wave spectrum</summary>
@@ -150,13 +148,13 @@ namespace Pelagic
         /// <summary>Spreading; directional spreading. The spectrum phillips-paper accepts only paper.</summary>
         public Spreading Spreading;
         /// <summary>
-        /// Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if PatchSizeM
-        /// is set, the resolution is 16 or the model has only one. More than one excludes PatchSizeM.
+        /// Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if PatchSizeM is set, the
+        /// resolution is 16 or the model has only one. More than one excludes PatchSizeM.
         /// </summary>
         public int Cascades;
         /// <summary>
-        /// N, texels along a side of each cascade; a power of two from 16 to 2048. 0: 128, or 256 if
-        /// PatchSizeM is set.
+        /// N, texels along a side of each cascade; a power of two from 16 to 2048. 0: 128, or 256 if PatchSizeM is
+        /// set.
         /// </summary>
         public int Resolution;
         /// <summary>seed of the random phases and amplitudes</summary>
@@ -166,34 +164,31 @@ namespace Pelagic
         /// </summary>
         public int WaveCount;
         /// <summary>
-        /// L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived
-        /// from the sea.
+        /// L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived from the sea.
         /// </summary>
         public double PatchSizeM;
         /// <summary>U10, mean wind speed 10 m above the sea; (0, 60]</summary>
         public double WindSpeedMps;
-        /// <summary>Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi].</summary>
+        /// <summary>direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi]</summary>
         public double WindDirectionRad;
         /// <summary>
-        /// Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
-        /// an effect; (0, 2e6].
+        /// Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has an effect;
+        /// (0, 2e6].
         /// </summary>
         public double FetchM;
         /// <summary>
-        /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
-        /// [1, 10].
+        /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10].
         /// </summary>
         public double PeakEnhancement;
         /// <summary>
-        /// Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6
-        /// of it break.
+        /// Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6 of it break.
         /// </summary>
         public double DepthM;
         /// <summary>Scale of horizontal displacements; [0, 1]. 0 gives a height field.</summary>
         public double Choppiness;
         /// <summary>
-        /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
-        /// that the cascades do not resolve in this wind.
+        /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the cascades
+        /// do not resolve in this wind.
         /// </summary>
         public double Roughness;
         /// <summary>
@@ -201,19 +196,17 @@ namespace Pelagic
         /// </summary>
         public double ShortWaveCutoff;
         /// <summary>
-        /// Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1].
-        /// With 0 a third of the energy runs against the wind and little across it; with 1 a hundredth
-        /// runs against it.
+        /// Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1]. With 0 a third
+        /// of the energy runs against the wind and little across it; with 1 a hundredth runs against it.
         /// </summary>
         public double WindAlignment;
         /// <summary>
-        /// Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no
-        /// swell.
+        /// Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no swell.
         /// </summary>
         public double SwellHeightM;
         /// <summary>peak period of the swell; [1, 40]</summary>
         public double SwellPeriodS;
-        /// <summary>Direction that the swell runs towards, as WindDirectionRad; [-2 pi, 2 pi].</summary>
+        /// <summary>direction that the swell runs towards, as WindDirectionRad; [-2 pi, 2 pi]</summary>
         public double SwellDirectionRad;
         /// <summary>Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default.</summary>
         public double SwellSpreadRad;
@@ -228,8 +221,8 @@ namespace Pelagic
         /// <summary>Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2].</summary>
         public double WaveStrength;
         /// <summary>
-        /// Significant wave height of an analytic sea or a pond; [0, 30]. 0: from WaveStrength, of a
-        /// pond 0.017 LongestWaveM. Of a pond it is above 0.
+        /// Significant wave height of an analytic sea or a pond; [0, 30]. 0: from WaveStrength, of a pond 0.017
+        /// LongestWaveM. Of a pond it is above 0.
         /// </summary>
         public double WaveHeightM;
         /// <summary>horizontal drag of a pond's short waves by its long ones; [0, 1]</summary>
@@ -348,13 +341,12 @@ namespace Pelagic
         /// <summary>side of the grid; [1, 10000]</summary>
         public double SideM;
         /// <summary>
-        /// Width of the absorbing border along each side; [0.001, SideM / 4]. 0: no border, and waves
-        /// wrap around.
+        /// Width of the absorbing border along each side; [0.001, SideM / 4]. 0: no border, and waves wrap around.
         /// </summary>
         public double BorderM;
         /// <summary>depth of the water (spectral); [0.01, 11000]</summary>
         public double DepthM;
-        /// <summary>Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1].</summary>
+        /// <summary>eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1]</summary>
         public double ViscosityM2ps;
         /// <summary>Speed of all waves, with (speed / (TicksPerS texel))^2 at most 0.4 (verlet); (0, 1000].</summary>
         public double WaveSpeedMps;
@@ -387,9 +379,9 @@ namespace Pelagic
         public double HeightM;
         /// <summary>rate of a relaxation; (0, 1000]</summary>
         public double RatePerS;
-        /// <summary>Velocity of a source until it is replaced; [-1000, 1000].</summary>
+        /// <summary>velocity of a source until it is replaced; [-1000, 1000]</summary>
         public double VelocityXMps;
-        /// <summary>Velocity of a source until it is replaced; [-1000, 1000].</summary>
+        /// <summary>velocity of a source until it is replaced; [-1000, 1000]</summary>
         public double VelocityZMps;
     }
 
@@ -404,13 +396,12 @@ namespace Pelagic
         /// <summary>seed of the drops</summary>
         public uint Seed;
         /// <summary>
-        /// Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number.
-        /// 0: no rain.
+        /// Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number. 0: no rain.
         /// </summary>
         public double DropsPerM2S;
         /// <summary>
-        /// Radius of the crater at the rest level; [0.001, SideM / 16]. A crater narrower than a texel
-        /// is a texel wide on the grid, flatter and with equal volume.
+        /// Radius of the crater at the rest level; [0.001, SideM / 16]. A crater narrower than a texel is a texel wide
+        /// on the grid, flatter and with equal volume.
         /// </summary>
         public double RadiusM;
         /// <summary>depth of a crater; [-10, 10]</summary>
@@ -480,11 +471,11 @@ namespace Pelagic
         public double ZM;
         /// <summary>wavelength; [0.01, 1000]</summary>
         public double WavelengthM;
-        /// <summary>Amplitude at the centre, at most WavelengthM / (2 pi), a slope of 1; [0, 100].</summary>
+        /// <summary>amplitude at the centre, at most WavelengthM / (2 pi), a slope of 1; [0, 100]</summary>
         public double AmplitudeM;
         /// <summary>
-        /// Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side:
-        /// half of that side.
+        /// Radius R beyond which the rings are 0; [0, 1e5]. 0 or more than half of the cascade's side: half of that
+        /// side.
         /// </summary>
         public double ReachM;
         /// <summary>phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi]</summary>
@@ -727,7 +718,7 @@ namespace Pelagic
         public int Columns;
         /// <summary>samples of the floor along z; 2 to 4096</summary>
         public int Rows;
-        /// <summary>Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024.</summary>
+        /// <summary>texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024</summary>
         public int Resolution;
         /// <summary>position of the first sample; [-1e8, 1e8]</summary>
         public double CornerXM;
@@ -736,15 +727,14 @@ namespace Pelagic
         /// <summary>distance of neighbouring samples; [0.001, 10000]</summary>
         public double MetresPerSample;
         /// <summary>
-        /// Width of the strip along the edges over which the coarsest cascade fades into waves over the
-        /// floor; [0, half the field's shorter side]. 0: an eighth of the shorter side.
+        /// Width of the strip along the edges over which the coarsest cascade fades into waves over the floor;
+        /// [0, half the field's shorter side]. 0: an eighth of the shorter side.
         /// </summary>
         public double FadeM;
         /// <summary>
-        /// Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0:
-        /// the height that 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant
-        /// wave height and peak period and the median slope at the waterline. Waves in the water do not
-        /// depend on it.
+        /// Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0: the height that 2
+        /// % of the waves reach by Stockdon et al. 2006, from the sea's significant wave height and peak period and the
+        /// median slope at the waterline. Waves in the water do not depend on it.
         /// </summary>
         public double SwashM;
 
@@ -784,11 +774,11 @@ namespace Pelagic
         /// <summary>drag of advancing faces; [0, 10]</summary>
         public double PressureCoefficient;
         /// <summary>
-        /// Drag of retreating faces; with PressureCoefficient 0.7 the drag is that of a cube, 1.05
-        /// (Hoerner 1965); [0, 10].
+        /// Drag of retreating faces; with PressureCoefficient 0.7 the drag is that of a cube, 1.05 (Hoerner 1965);
+        /// [0, 10].
         /// </summary>
         public double SuctionCoefficient;
-        /// <summary>Friction along faces; ITTC 1957 at a Reynolds number of 3e6; [0, 1].</summary>
+        /// <summary>friction along faces; ITTC 1957 at a Reynolds number of 3e6; [0, 1]</summary>
         public double FrictionCoefficient;
         /// <summary>drag of faces above the water; [0, 10]</summary>
         public double AirCoefficient;
@@ -797,8 +787,8 @@ namespace Pelagic
         /// <summary>density of the air; [0, 10]</summary>
         public double AirDensityKgpm3;
         /// <summary>
-        /// Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull
-        /// under thrust; [0, 1e4]. 0: none.
+        /// Lateral area of a skeg, keel or fin in the middle plane, which keeps the course of a hull under thrust;
+        /// [0, 1e4]. 0: none.
         /// </summary>
         public double SkegM2;
         /// <summary>middle of the skeg in the axes of the mesh; [-1000, 1000]</summary>
