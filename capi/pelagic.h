@@ -201,8 +201,7 @@ typedef struct pelagic_sea {
     double peak_enhancement;
     /* Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6 of it break. */
     double depth_m;
-    /* Scale of horizontal displacements; [0, 1]. 0 gives a height field. */
-    double choppiness;
+    double choppiness; /* scale of horizontal displacements; [0, 1]. 0 gives a height field */
     /* GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the cascades
      * do not resolve in this wind. */
     double roughness;
@@ -233,20 +232,10 @@ typedef struct pelagic_sea {
 /* generated from schema/sea.toml: c-make */
 static inline pelagic_sea pelagic_sea_make(void) {
     PELAGIC_ZEROS(pelagic_sea, sea);
-    sea.spectrum = PELAGIC_SPECTRUM_JONSWAP;
-    sea.seed = 1;
-    sea.wind_speed_mps = 12;
-    sea.fetch_m = 100e3;
-    sea.peak_enhancement = 3.3;
-    sea.depth_m = 4000;
-    sea.choppiness = 0.8;
-    sea.roughness = -1;
-    sea.wind_alignment = 0.5;
-    sea.swell_period_s = 12;
-    sea.swell_spread_rad = 0.26179938779914943;
-    sea.loop_period_s = 200;
-    sea.wave_strength = 1;
-    sea.wave_drag = 0.38;
+    sea.spectrum = PELAGIC_SPECTRUM_JONSWAP; sea.seed = 1; sea.wind_speed_mps = 12; sea.fetch_m = 100e3;
+    sea.peak_enhancement = 3.3; sea.depth_m = 4000; sea.choppiness = 0.8; sea.roughness = -1;
+    sea.wind_alignment = 0.5; sea.swell_period_s = 12; sea.swell_spread_rad = 0.26179938779914943;
+    sea.loop_period_s = 200; sea.wave_strength = 1; sea.wave_drag = 0.38;
     return sea;
 }
 /* end of generated */
@@ -736,15 +725,9 @@ typedef struct pelagic_dynamic_waves_options {
 /* generated from schema/dynamic_waves.toml: c-make */
 static inline pelagic_dynamic_waves_options pelagic_dynamic_waves_options_make(void) {
     PELAGIC_ZEROS(pelagic_dynamic_waves_options, options);
-    options.resolution = 256;
-    options.ticks_per_s = 60;
-    options.side_m = 64;
-    options.border_m = 12;
-    options.depth_m = 1e4;
-    options.viscosity_m2ps = 2e-3;
-    options.wave_speed_mps = 3;
-    options.decay_per_s = 0.01;
-    options.foam_height_m = 0.2;
+    options.resolution = 256; options.ticks_per_s = 60; options.side_m = 64; options.border_m = 12;
+    options.depth_m = 1e4; options.viscosity_m2ps = 2e-3; options.wave_speed_mps = 3;
+    options.decay_per_s = 0.01; options.foam_height_m = 0.2;
     return options;
 }
 /* end of generated */
@@ -791,9 +774,7 @@ typedef struct pelagic_disturbance {
 /* generated from schema/disturbance.toml: c-make */
 static inline pelagic_disturbance pelagic_disturbance_make(void) {
     PELAGIC_ZEROS(pelagic_disturbance, disturbance);
-    disturbance.radius_m = 1;
-    disturbance.length_m = 1;
-    disturbance.rate_per_s = 10;
+    disturbance.radius_m = 1; disturbance.length_m = 1; disturbance.rate_per_s = 10;
     return disturbance;
 }
 /* end of generated */
@@ -876,9 +857,7 @@ typedef struct pelagic_rain {
 /* generated from schema/rain.toml: c-make */
 static inline pelagic_rain pelagic_rain_make(void) {
     PELAGIC_ZEROS(pelagic_rain, rain);
-    rain.seed = 1;
-    rain.radius_m = 0.25;
-    rain.height_m = 0.02;
+    rain.seed = 1; rain.radius_m = 0.25; rain.height_m = 0.02;
     return rain;
 }
 /* end of generated */
@@ -943,9 +922,7 @@ typedef struct pelagic_spray_options {
 /* generated from schema/spray_options.toml: c-make */
 static inline pelagic_spray_options pelagic_spray_options_make(void) {
     PELAGIC_ZEROS(pelagic_spray_options, options);
-    options.seed = 1;
-    options.reach_m = 80;
-    options.amount = 1;
+    options.seed = 1; options.reach_m = 80; options.amount = 1;
     return options;
 }
 /* end of generated */
@@ -967,9 +944,7 @@ typedef struct pelagic_spray_emitter {
 /* generated from schema/spray_emitter.toml: c-make */
 static inline pelagic_spray_emitter pelagic_spray_emitter_make(void) {
     PELAGIC_ZEROS(pelagic_spray_emitter, emitter);
-    emitter.count = 1;
-    emitter.radius_m = 0.05;
-    emitter.drop_mm = 1;
+    emitter.count = 1; emitter.radius_m = 0.05; emitter.drop_mm = 1;
     return emitter;
 }
 /* end of generated */
@@ -1046,8 +1021,7 @@ typedef struct pelagic_shore_options {
 /* generated from schema/shore.toml: c-make */
 static inline pelagic_shore_options pelagic_shore_options_make(void) {
     PELAGIC_ZEROS(pelagic_shore_options, options);
-    options.resolution = 256;
-    options.metres_per_sample = 1;
+    options.resolution = 256; options.metres_per_sample = 1;
     return options;
 }
 /* end of generated */
@@ -1295,14 +1269,9 @@ typedef struct pelagic_hull_options {
 /* generated from schema/hull.toml: c-make */
 static inline pelagic_hull_options pelagic_hull_options_make(void) {
     PELAGIC_ZEROS(pelagic_hull_options, options);
-    options.heave_damping = 0.2;
-    options.roll_damping = 0.05;
-    options.pressure_coefficient = 0.7;
-    options.suction_coefficient = 0.35;
-    options.friction_coefficient = 4e-3;
-    options.air_coefficient = 1;
-    options.water_density_kgpm3 = 1025;
-    options.air_density_kgpm3 = 1.225;
+    options.heave_damping = 0.2; options.roll_damping = 0.05; options.pressure_coefficient = 0.7;
+    options.suction_coefficient = 0.35; options.friction_coefficient = 4e-3; options.air_coefficient = 1;
+    options.water_density_kgpm3 = 1025; options.air_density_kgpm3 = 1.225;
     return options;
 }
 /* end of generated */

@@ -86,7 +86,7 @@ def beside(text):
 
 def with_comment(member, text, after, above, width=COMMENT_WIDTH):
     """A member with its description on its line, if that is one sentence and fits, else above it."""
-    return [member + after] if len(member + after) < width and ". " not in text else [*above, member]
+    return [member + after] if len(member + after) < width and (width == C_WIDTH or ". " not in text) else [*above, member]
 
 
 PI_IN_CPP = {"-2 pi": "-two_pi", "2 pi": "two_pi", "pi/180": "two_pi / 360", "4 pi/9": "2 * two_pi / 9",
@@ -232,12 +232,14 @@ def c_enums(schema):
 def c_make(schema):
     """The function that returns the defaults."""
     name = schema.c.split("_")[-1]
-    lines = [f"static inline {schema.c} {schema.c}_make(void) {{", f"    PELAGIC_ZEROS({schema.c}, {name});"]
+    statements = []
     for option in c_options(schema):
         value = option.enum.c_values()[[v for v, _ in option.enum.values].index(option.default)] if option.enum else c_default_of(option)
         if str(value) != "0" and (not option.enum or option.enum.c_values()[0] != value):
-            lines.append(f"    {name}.{option.name} = {value};")
-    return lines + [f"    return {name};", "}"]
+            statements.append(f"{name}.{option.name}\0=\0{value};")
+    body = textwrap.wrap(" ".join(statements), C_WIDTH, initial_indent="    ", subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    return [f"static inline {schema.c} {schema.c}_make(void) {{", f"    PELAGIC_ZEROS({schema.c}, {name});",
+            *(line.replace("\0", " ") for line in body), f"    return {name};", "}"]
 
 
 def c_checks(schema):

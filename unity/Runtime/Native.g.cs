@@ -184,7 +184,7 @@ namespace Pelagic
         /// Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6 of it break.
         /// </summary>
         public double DepthM;
-        /// <summary>Scale of horizontal displacements; [0, 1]. 0 gives a height field.</summary>
+        /// <summary>scale of horizontal displacements; [0, 1]. 0 gives a height field</summary>
         public double Choppiness;
         /// <summary>
         /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the cascades
