@@ -13,7 +13,7 @@ import sys
 
 CODE = re.compile(r'\.(cpp|hpp|c|h|h\.in|hpp\.in|cpp\.in|py|sh|cs|js|mjs|ts|gd|glsl|hlsl|shader|cmake|html)$'
                   r'|(^|/)CMakeLists\.txt$')
-GENERATED = re.compile(r'\.g\.cs$|\.g\.hpp$|\.g\.cpp$|(^|/)pelagic_ctypes\.py$|(^|/)_generated[^/]*$')
+GENERATED = re.compile(r'\.g\.cs$|\.g\.hpp$|\.g\.cpp$|(^|/)_native\.py$|(^|/)_generated[^/]*$')
 
 GENERATED_REGION = re.compile(r'(?<=\n)[^\n]*generated from schema/.*?end of generated[^\n]*\n', re.S)
 

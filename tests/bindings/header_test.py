@@ -12,17 +12,16 @@ import subprocess
 import sys
 import unittest
 
-import pelagic_ctypes as pelagic
-from pelagic_ctypes import make
-
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(SOURCE / "tools/bindings"))
+sys.path[:0] = [str(SOURCE / "tools/bindings"), str(SOURCE / "python/pelagic")]
 sys.dont_write_bytecode = True
 
+import _native as pelagic  # noqa: E402
 import abi  # noqa: E402
 import c_header  # noqa: E402
 import c_layout  # noqa: E402
 import header as generator  # noqa: E402
+from _native import make  # noqa: E402
 
 GOLDEN = dict(line.split() for line in (SOURCE / "tests/golden/hashes.txt").read_text().splitlines())
 
@@ -152,7 +151,7 @@ class PythonLayouts(unittest.TestCase):
             for time_s in (0, 12.34):
                 self.assertEqual(library.pelagic_ocean_schedule(ocean, time_s), pelagic.PELAGIC_OK)
                 self.assertEqual(library.pelagic_ocean_complete(ocean, frame), pelagic.PELAGIC_OK)
-                self.assertEqual(library.pelagic_ocean_hash(ocean, number), pelagic.PELAGIC_OK)
+                self.assertEqual(library.pelagic_ocean_hash(ocean, ctypes.byref(number)), pelagic.PELAGIC_OK)
                 self.assertEqual((frame.time_s, f"{number.value:x}"), (time_s, GOLDEN[f"{name}@{time_s}"].lstrip("0")))
             library.pelagic_ocean_destroy(ocean)
 

@@ -12,11 +12,11 @@ from pathlib import Path
 from engine import run_headless, single
 
 here = Path(__file__).parent
-sys.path.append(str(here.parent / "bindings"))
+sys.path.append(str(here.parents[1] / "python/pelagic"))
 sys.dont_write_bytecode = True
-import pelagic_ctypes as pelagic  # noqa: E402
+import _native as pelagic  # noqa: E402
+from _native import make  # noqa: E402
 from c_bodies import CBodies  # noqa: E402
-from pelagic_ctypes import make  # noqa: E402
 
 project, library_file = sys.argv[1:]
 steps, step_s = 200, 1 / 60
@@ -117,10 +117,6 @@ restored = [
 not_in_tree, no_ocean = unusable[0], "ocean is ../sea, expected the path of a PelagicOcean"
 
 
-def doubles(numbers):
-    return (ctypes.c_double * len(numbers))(*numbers)
-
-
 class CInterface(CBodies):
     """The boat in the sea of the C interface."""
 
@@ -131,12 +127,13 @@ class CInterface(CBodies):
         self.call("ocean_create", sea, make(pelagic.pelagic_ocean_options, queries=1, velocities=1), ctypes.byref(self.ocean))
         options = make(pelagic.pelagic_hull_options)
         options.mass_kg, options.roll_damping = mass_kg, 0.125
-        options.centre_of_mass_m, options.inertia_kgm2 = doubles(centre_of_mass_m), doubles(inertia_kgm2)
+        options.centre_of_mass_m, options.inertia_kgm2 = (self.address(ctypes.c_double, of) for of in (centre_of_mass_m, inertia_kgm2))
         vertices = boat[0]["vertices"] + boat[1]["vertices"]
         triangles = sides + [(i, i + 2, i + 1) for i in range(10, len(vertices) // 3, 3)]
-        numbers = (ctypes.c_uint32 * (3 * len(triangles)))(*(number for triangle in triangles for number in triangle))
-        self.call("hull_create", make(pelagic.pelagic_hull_mesh, vertex_count=len(vertices) // 3, vertices_m=doubles(vertices),
-                                      triangle_count=len(triangles), triangles=numbers), options, ctypes.byref(self.hull))
+        numbers = [number for triangle in triangles for number in triangle]
+        self.call("hull_create", make(pelagic.pelagic_hull_mesh, vertex_count=len(vertices) // 3, vertices_m=self.address(ctypes.c_double, vertices),
+                                       triangle_count=len(triangles), triangles=self.address(ctypes.c_uint32, numbers)),
+                  options, ctypes.byref(self.hull))
 
     def at_rest(self, x_m, z_m, heading_rad=0.0):
         """The state in which the mesh's origin is at a position."""
@@ -150,7 +147,7 @@ class CInterface(CBodies):
         bodies, number = ctypes.c_void_p(), ctypes.c_uint32()
         self.call("bodies_create", self.ocean, None, ctypes.byref(bodies))
         for state in states:
-            self.call("bodies_add", bodies, self.hull, state, number)
+            self.call("bodies_add", bodies, self.hull, state, ctypes.byref(number))
         return bodies
 
     def push(self, bodies, force_n, torque_nm, wind_mps):

@@ -10,11 +10,11 @@ from pathlib import Path
 from engine import run_headless, single
 
 here = Path(__file__).parent
-sys.path.append(str(here.parent / "bindings"))
+sys.path.append(str(here.parents[1] / "python/pelagic"))
 sys.dont_write_bytecode = True
-import pelagic_ctypes as pelagic  # noqa: E402
+import _native as pelagic  # noqa: E402
+from _native import make  # noqa: E402
 from c_bodies import CBodies  # noqa: E402
-from pelagic_ctypes import make  # noqa: E402
 
 project, library_file = sys.argv[1:]
 step_s = 1 / 60
@@ -48,10 +48,10 @@ class CInterface(CBodies):
                   ctypes.byref(self.ocean))
         self.call("ocean_dynamic_waves", self.ocean, ctypes.byref(self.waves))
         hull = make(pelagic.pelagic_hull_options)
-        hull.mass_kg, hull.centre_of_mass_m = mass_kg, (ctypes.c_double * 3)(0, 0, 0)
+        hull.mass_kg, hull.centre_of_mass_m = mass_kg, self.address(ctypes.c_double, (0, 0, 0))
         self.call("hull_create",
-                  make(pelagic.pelagic_hull_mesh, vertex_count=len(corners) // 3, vertices_m=(ctypes.c_double * len(corners))(*corners),
-                       triangle_count=len(faces) // 3, triangles=(ctypes.c_uint32 * len(faces))(*faces)),
+                  make(pelagic.pelagic_hull_mesh, vertex_count=len(corners) // 3, vertices_m=self.address(ctypes.c_double, corners),
+                        triangle_count=len(faces) // 3, triangles=self.address(ctypes.c_uint32, faces)),
                   hull, ctypes.byref(self.hull))
 
     def bodies(self, *places, wakes=1):
@@ -60,7 +60,7 @@ class CInterface(CBodies):
         for x_m, z_m in places:
             state = pelagic.pelagic_hull_state()
             self.call("hull_at_rest", self.hull, x_m, z_m, 0.0, state)
-            self.call("bodies_add", bodies, self.hull, state, number)
+            self.call("bodies_add", bodies, self.hull, state, ctypes.byref(number))
         return bodies
 
     def frames(self, frames, steps):
@@ -78,7 +78,7 @@ class CInterface(CBodies):
             for _ in range(steps):
                 self.call("bodies_step", bodies, step_s, None)
             hash_ = ctypes.c_uint64()
-            self.call("dynamic_waves_hash", self.waves, hash_)
+            self.call("dynamic_waves_hash", self.waves, ctypes.byref(hash_))
             yield self.saved(bodies), f"{hash_.value:016x}"
 
 

@@ -6,7 +6,7 @@ usage: header.py            compares the files in the tree with what would be ge
        header.py --freeze   writes tests/abi/pelagic-1.layout, which later versions 1.x must keep
 
 unity/Runtime/Native.g.cs        structs with their defaults, enums and functions for C#
-tests/bindings/pelagic_ctypes.py structs with their defaults, constants and functions for ctypes
+python/pelagic/_native.py        structs with their defaults, constants and functions for Python's ctypes
 docs/api.md                      the table of functions
 """
 import difflib
@@ -31,7 +31,7 @@ def read_pelagic_header():
 def generated(header):
     page = SOURCE / "docs/api.md"
     yield SOURCE / "unity/Runtime/Native.g.cs", csharp.write(header)
-    yield SOURCE / "tests/bindings/pelagic_ctypes.py", python_layouts.write(header)
+    yield SOURCE / "python/pelagic/_native.py", python_layouts.write(header)
     yield page, function_table.write(header, page.read_text())
 
 
