@@ -16,7 +16,21 @@
 
 namespace pelagic::capi {
 
-QueryFrames::Reader::Reader(QueryFrames& frames) {
+QueryFrames::Reader::Reader(QueryFrames& frames, std::uint64_t number) {
+    if (number == 0) {
+        enter_current(frames);
+        return;
+    }
+    for (Slot& slot : frames.slots_) {
+        slot_ = &slot;
+        ++slot.readers;
+        if (slot.number == number) return;
+        leave();
+    }
+    slot_ = nullptr;
+}
+
+void QueryFrames::Reader::enter_current(QueryFrames& frames) {
     for (;;) {
         slot_ = frames.current_;
         if (!slot_) return;
@@ -30,15 +44,36 @@ void QueryFrames::Reader::leave() {
     if (slot_ && --slot_->readers == 0) wake_all(slot_->readers);
 }
 
-void QueryFrames::set_current(const SurfaceQuery& query) {
+std::uint64_t QueryFrames::set_current(const Frame& frame, const std::optional<SurfaceQuery>& query) {
     newest_ = 1 - newest_;
-    slots_[newest_].query = query;
-    current_ = &slots_[newest_];
+    Slot& slot = slots_[newest_];
+    slot.frame = frame;
+    slot.query = query;
+    slot.number = ++count_;
+    current_ = &slot;
+    return count_;
 }
 
 void QueryFrames::wait_for_old_readers() {
+    slots_[1 - newest_].number = 0;
     const std::atomic<std::uint32_t>& readers = slots_[1 - newest_].readers;
     for (std::uint32_t now = readers; now != 0; now = readers) wait_while(readers, now);
+}
+
+void QueryBatches::sample(const std::shared_ptr<Executor>& executor, const SurfaceQuery& query,
+                          const SurfacePoints& points, const SurfaceSamples& samples) {
+    std::unique_ptr<SurfaceQueryJobs> jobs;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!idle_.empty()) {
+            jobs = std::move(idle_.back());
+            idle_.pop_back();
+        }
+    }
+    if (!jobs) jobs = std::make_unique<SurfaceQueryJobs>(executor);
+    jobs->sample(query, points, samples);
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(jobs));
 }
 
 void need_no_frame_in_flight(const pelagic_ocean& ocean) {
@@ -150,6 +185,13 @@ pelagic_frame c_frame_of(const Frame& frame) {
     out.foam_drift_z_mps = frame.statistics.foam_drift_z_mps;
     out.foam_level = frame.foam.level;
     std::copy(frame.foam.age.begin(), frame.foam.age.end(), out.foam_age);
+    out.wave_height_m = frame.statistics.significant_wave_height_m;
+    // A droplet of C++ has the members of one of C, without gaps.
+    static_assert(sizeof(SprayDroplet) == sizeof(pelagic_droplet) &&
+                  offsetof(SprayDroplet, velocity_x_mps) == offsetof(pelagic_droplet, velocity_mps) &&
+                  offsetof(SprayDroplet, age_s) == offsetof(pelagic_droplet, age_s));
+    out.droplets = reinterpret_cast<const pelagic_droplet*>(frame.droplets.data());
+    out.droplet_count = frame.droplets.size();
     return out;
 }
 
@@ -177,10 +219,30 @@ pelagic_cascade c_cascade_of(const Cascade& cascade) {
     return out;
 }
 
-/// Makes a frame the one that queries, cascade, copy and hash read.
-void set_current(pelagic_ocean& ocean, const Frame& frame) {
+/// Makes a frame the one that queries, cascade, copy and hash read. Returns its number.
+std::uint64_t set_current(pelagic_ocean& ocean, const Frame& frame) {
     ocean.current = &frame;
-    if (ocean.ocean.contents().queries) ocean.query_frames.set_current(SurfaceQuery(frame, ocean.query_tolerance_m));
+    std::optional<SurfaceQuery> query;
+    if (ocean.ocean.contents().queries) query.emplace(frame, ocean.query_tolerance_m);
+    return ocean.query_frames.set_current(frame, query);
+}
+
+std::uint64_t hash_of_kind(const Frame& frame, std::int32_t kind) {
+    const auto need = [](bool has, const char* option) {
+        if (!has)
+            reject(std::string("the frame has no ") + option + ": it was created without pelagic_ocean_options." +
+                   option);
+    };
+    switch (kind) {
+        case PELAGIC_HASH_FRAME: return hash_of(frame);
+        case PELAGIC_HASH_FOAM: need(frame.has_foam, "foam"); return foam_hash_of(frame);
+        case PELAGIC_HASH_DYNAMIC_WAVES:
+            need(static_cast<bool>(frame.dynamic_waves), "dynamic_waves");
+            return hash_of(frame.dynamic_waves);
+        case PELAGIC_HASH_SHORE: need(static_cast<bool>(frame.shore), "shore"); return shore_hash_of(frame);
+        case PELAGIC_HASH_SPRAY: return spray_hash_of(frame);
+        default: reject(invalid_value_message("kind", kind, "one of PELAGIC_HASH_..."));
+    }
 }
 
 FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
@@ -354,8 +416,8 @@ pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame
         ocean->frame_in_flight = false;  // also if complete() throws
         const Frame& completed = ocean->ocean.complete();
         ocean->has_completed = true;
-        set_current(*ocean, completed);
         out = c_frame_of(completed);
+        out.number = set_current(*ocean, completed);
     });
 }
 
@@ -416,6 +478,25 @@ pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* has
             reject("the ocean has no foam: it was created without pelagic_ocean_options.foam");
         needed(hash, "hash") = foam_hash_of(*ocean->current);
     });
+}
+
+pelagic_status pelagic_ocean_frame_hash(const pelagic_ocean* ocean, uint64_t frame, int32_t kind, uint64_t* hash) {
+    return guarded([&] {
+        const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames, frame);
+        if (kind == PELAGIC_HASH_SPRAY && !ocean->has_spray)
+            reject("the ocean has no spray: it was created without pelagic_ocean_options.spray");
+        needed(hash, "hash") = hash_of_kind(needed_frame(reader, frame), kind);
+    });
+}
+
+const char* pelagic_isa_at(int32_t index) {
+    const char* name = nullptr;
+    guarded([&] {
+        const std::vector<Isa> here = isas_here();
+        if (index >= 0 && static_cast<std::size_t>(index) < here.size())
+            name = name_of(here[static_cast<std::size_t>(index)]).data();  // a literal
+    });
+    return name;
 }
 
 pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea) {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -12,58 +13,81 @@
 #include "pelagic/pelagic.h"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/surface_query_jobs.hpp"
 
 namespace pelagic::capi {
 
-/// The frame completed last, for queries on any number of threads, and the preceding one while
-/// queries read it.
+/// The frame completed last and the preceding one, for readers on any number of threads.
 ///
-/// A reader increments the count of the current slot and then checks that the slot is still
-/// current. So after another slot has become current, a count of 0 means that no reader will use
-/// the old slot. Readers never wait.
+/// A reader increments the count of a slot and then checks that the slot still has its frame. So
+/// after a slot has lost its frame, a count of 0 means that no reader will use it. Readers never
+/// wait.
 class QueryFrames {
     struct Slot {
-        std::optional<SurfaceQuery> query;
+        Frame frame;
+        std::optional<SurfaceQuery> query;      ///< of `frame`, if the ocean can be queried
+        std::atomic<std::uint64_t> number = 0;  ///< of `frame`; 0: none
         std::atomic<std::uint32_t> readers = 0;
     };
 
    public:
-    /// Prevents the current frame from being overwritten during its lifetime.
+    /// Prevents a frame from being overwritten during its lifetime.
     class Reader {
        public:
-        explicit Reader(QueryFrames& frames);
+        /// \param number  of the frame; 0: the frame completed last
+        explicit Reader(QueryFrames& frames, std::uint64_t number = 0);
         ~Reader() { leave(); }
         Reader(const Reader&) = delete;
         Reader& operator=(const Reader&) = delete;
-        /// Returns null before the first frame.
+        /// Returns null before the first frame, and if the frame's memory was reused.
+        const Frame* frame() const { return slot_ ? &slot_->frame : nullptr; }
+        /// As frame(); \pre the ocean can be queried
         const SurfaceQuery* query() const { return slot_ ? &*slot_->query : nullptr; }
 
        private:
+        void enter_current(QueryFrames& frames);
         void leave();
         Slot* slot_ = nullptr;
     };
 
-    /// Makes a frame the current one. \pre wait_for_old_readers() since the last call
-    void set_current(const SurfaceQuery& query);
+    /// Makes a frame the current one and returns its number. \pre wait_for_old_readers() since the
+    /// last call
+    std::uint64_t set_current(const Frame& frame, const std::optional<SurfaceQuery>& query);
 
-    /// Waits until no query reads the frame before the current one, so that its memory may be
-    /// overwritten.
+    /// Takes the frame before the current one from readers, and waits until none reads it, so that
+    /// its memory may be overwritten.
     void wait_for_old_readers();
 
    private:
     std::array<Slot, 2> slots_;
     std::size_t newest_ = 0;                ///< index, for the thread that completes frames
+    std::uint64_t count_ = 0;               ///< of frames so far, for that thread
     std::atomic<Slot*> current_ = nullptr;  ///< slot, for readers
+};
+
+/// Batches of queries on the threads of an executor, for any number of threads.
+class QueryBatches {
+   public:
+    void sample(const std::shared_ptr<Executor>& executor, const SurfaceQuery& query, const SurfacePoints& points,
+                const SurfaceSamples& samples);
+
+   private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<SurfaceQueryJobs>> idle_;
 };
 
 }  // namespace pelagic::capi
 
 struct pelagic_ocean {
     pelagic_ocean(const pelagic::Forecast& forecast, pelagic::OceanOptions options, double tolerance_m)
-        : ocean(forecast, options), has_spray(options.spray.has_value()), query_tolerance_m(tolerance_m) {
+        : executor(options.executor),
+          ocean(forecast, options),
+          has_spray(options.spray.has_value()),
+          query_tolerance_m(tolerance_m) {
         if (options.dynamic_waves) dynamic_waves = {nullptr, &ocean.dynamic_waves(), this};
     }
 
+    std::shared_ptr<pelagic::Executor> executor;
     pelagic::Ocean ocean;
     pelagic_dynamic_waves dynamic_waves;
     /// Objects that use the ocean hold it weakly, and so detect that it is destroyed.
@@ -75,6 +99,7 @@ struct pelagic_ocean {
     bool has_completed = false;             ///< by complete(), not only by frame_at()
     const pelagic::Frame* current = nullptr;  ///< frame that queries, cascade, copy and hash read
     mutable pelagic::capi::QueryFrames query_frames;
+    mutable pelagic::capi::QueryBatches query_batches;
 };
 
 namespace pelagic::capi {
@@ -91,9 +116,11 @@ WaterFrame water_frame_of(const pelagic_water_frame* water);
 /// Throw WrongOrder.
 void need_no_frame_in_flight(const pelagic_ocean& ocean);
 void need_frame(const pelagic_ocean& ocean);
-/// Returns the reader's query. Throws std::invalid_argument without queries, and WrongOrder before
-/// the first frame.
-const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader);
+/// Throw WrongOrder before the first frame, and if the memory of frame `number` was reused.
+const Frame& needed_frame(const QueryFrames::Reader& reader, std::uint64_t number = 0);
+/// Also throws std::invalid_argument without queries.
+const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader,
+                                 std::uint64_t number = 0);
 /// Convert options; null gives no instruction set and operator new. Throw std::invalid_argument for
 /// an unknown name, and if only one function is set.
 std::optional<Isa> isa_of(const char* name);

@@ -8,10 +8,16 @@
 
 namespace pelagic::capi {
 
-const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader) {
+const Frame& needed_frame(const QueryFrames::Reader& reader, std::uint64_t number) {
+    if (reader.frame()) return *reader.frame();
+    if (number == 0) throw WrongOrder("there is no frame yet; call pelagic_ocean_complete first");
+    throw WrongOrder("frame " + number_text(number) + " is not in memory, expected one of the last two");
+}
+
+const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader, std::uint64_t number) {
     if (!ocean.ocean.contents().queries)
         reject("the ocean cannot be queried: it was created without pelagic_ocean_options.queries");
-    if (!reader.query()) throw WrongOrder("there is no frame yet; call pelagic_ocean_complete first");
+    needed_frame(reader, number);
     return *reader.query();
 }
 
@@ -25,6 +31,13 @@ Interpolation interpolation_of(const pelagic_points& points) {
             reject(invalid_value_message("points.interpolation", points.interpolation,
                                          "PELAGIC_INTERPOLATION_LINEAR (0) or _CUBIC (1)"));
     }
+}
+
+double tolerance_of(double tolerance_m, const SurfaceQuery& query) {
+    if (tolerance_m == 0) return query.tolerance_m();
+    if (!(tolerance_m >= 1e-6 && tolerance_m <= 1000))
+        reject(invalid_value_message("tolerance_m", tolerance_m, "0 or [1e-6, 1000]"));
+    return tolerance_m;
 }
 
 SurfacePoints points_of(const pelagic_points& points) {
@@ -80,19 +93,27 @@ using namespace pelagic::capi;
 pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                    const pelagic_samples* samples) {
     return guarded([&] {
-        const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
-        const SurfaceQuery& query = needed_query(*ocean, reader);
         const pelagic_points ours = read_struct(points, "points");
+        const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames, ours.frame);
+        const SurfaceQuery& original = needed_query(*ocean, reader, ours.frame);
+        const SurfaceQuery query(original.frame(), {.tolerance_m = tolerance_of(ours.tolerance_m, original),
+                                                  .interpolation = interpolation_of(ours)});
         const SurfacePoints where = points_of(ours);
-        query.with(interpolation_of(ours)).sample(where, samples_of(read_struct(samples, "samples"), where.x.size()));
+        const SurfaceSamples to = samples_of(read_struct(samples, "samples"), where.x.size());
+        if (ours.parallel != 0)
+            ocean->query_batches.sample(ocean->executor, query, where, to);
+        else
+            query.sample(where, to);
     });
 }
 
 pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray, pelagic_hit* hit) {
     return guarded([&] {
-        const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
-        const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfaceRay ours = ray_of(read_struct(ray, "ray"), query.frame());
+        const pelagic_ray theirs = read_struct(ray, "ray");
+        const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames, theirs.frame);
+        const SurfaceQuery& original = needed_query(*ocean, reader, theirs.frame);
+        const SurfaceQuery query(original.frame(), tolerance_of(theirs.tolerance_m, original));
+        const SurfaceRay ours = ray_of(theirs, query.frame());
         pelagic_hit& out = needed(hit, "hit");
         const std::optional<SurfaceHit> found = first_hit(query, ours);
         out = found ? c_hit_of(*found) : pelagic_hit{};

@@ -1,5 +1,10 @@
 #include "pelagic/capi/c_sea.hpp"
 
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
@@ -65,6 +70,11 @@ std::string preset_names() {
 
 }  // namespace
 
+void write_sea(const SeaState& from, pelagic_sea* sea) {
+    struct_bytes(sea, "sea");
+    write_struct(c_sea_of(from), sea);
+}
+
 SeaState sea_of(const pelagic_sea* pointer) {
     const pelagic_sea from = read_struct(pointer, "sea");
     SeaState to;
@@ -116,6 +126,17 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
     });
 }
 
+pelagic_status pelagic_preset_at(int32_t index, const char** name, const char** summary) {
+    return guarded([&] {
+        const std::span<const SeaPreset> all = sea_presets();
+        if (index < 0 || static_cast<std::size_t>(index) >= all.size())
+            reject(invalid_value_message("index", index, "0 to " + number_text(all.size() - 1)));
+        const SeaPreset& preset = all[static_cast<std::size_t>(index)];
+        needed(summary, "summary") = preset.summary.data();  // literals, so they end in 0
+        needed(name, "name") = preset.name.data();
+    });
+}
+
 pelagic_status pelagic_sea_check(const pelagic_sea* sea) {
     return guarded([&] {
         if (const std::string reason = check(sea_of(sea)); !reason.empty()) reject(reason);
@@ -161,5 +182,20 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         all.effective_fetch_m = report.effective_fetch_m.value_or(0);
         all.repeats_after_m = repeat_length_m(state);
         out = all;
+    });
+}
+
+pelagic_status pelagic_sea_spectrum(const pelagic_sea* sea, int32_t is_by_wave_number, const double* at, size_t count,
+                                    double* energy) {
+    return guarded([&] {
+        const SeaState state = sea_of(sea);
+        if (const std::string reason = check(state); !reason.empty()) reject(reason);
+        if (count == 0) return;
+        const std::span<const double> places(&needed(at, "at"), count);
+        for (const double place : places)
+            if (!(place > 0 && place < 1e9)) reject(invalid_value_message("at", place, "(0, 1e9)"));
+        const std::vector<double> found =
+            is_by_wave_number != 0 ? model_by_wave_number(state, places) : model_by_frequency(state, places);
+        std::copy(found.begin(), found.end(), &needed(energy, "energy"));
     });
 }

@@ -10,4 +10,7 @@ namespace pelagic::capi {
 /// the values.
 SeaState sea_of(const pelagic_sea* sea);
 
+/// Writes a sea. Throws std::invalid_argument for null and a wrong struct_size.
+void write_sea(const SeaState& from, pelagic_sea* sea);
+
 }  // namespace pelagic::capi

@@ -20,6 +20,11 @@ struct pelagic_input {
 
 namespace pelagic::capi {
 
+/// Convert options. Throw std::invalid_argument for null, a wrong struct_size and too many waves.
+/// check() checks the values.
+AnalyticSea waves_of(const pelagic_waves* pointer);
+Ripple ripple_of(const pelagic_ripple* pointer);
+
 /// Converts the application's array. Throws std::invalid_argument for null and for inputs of other
 /// oceans.
 std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, std::size_t count);

@@ -1,6 +1,9 @@
 // C interface of forecasts.
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "pelagic/capi/c_ocean.hpp"
 #include "pelagic/capi/c_sea.hpp"
@@ -8,6 +11,7 @@
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/forecast.hpp"
+#include "pelagic/sim/statistics.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -43,6 +47,30 @@ pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast* forecast, c
         pelagic_ocean*& out = needed(ocean, "ocean");
         out = nullptr;
         out = new_ocean(forecast_of(forecast), options);
+    });
+}
+
+pelagic_status pelagic_ocean_sea(const pelagic_ocean* ocean, pelagic_sea* sea) {
+    return guarded([&] {
+        need_frame(needed(ocean, "ocean"));
+        write_sea(ocean->current->sea, sea);
+    });
+}
+
+pelagic_status pelagic_forecast_warnings(const pelagic_forecast* forecast, char* text, size_t room, size_t* count) {
+    return guarded([&] {
+        const Forecast ours = forecast_of(forecast);
+        if (const std::string reason = check(ours); !reason.empty()) reject(reason);
+        std::vector<std::string> warnings = expected_report_on(ours.first).warnings;
+        warnings.push_back(warning_about(ours));
+        std::vector<std::uint8_t> lines;
+        for (const std::string& warning : warnings) {
+            if (warning.empty()) continue;
+            if (!lines.empty()) lines.push_back('\n');
+            lines.insert(lines.end(), warning.begin(), warning.end());
+        }
+        lines.push_back(0);
+        write_saved(lines, reinterpret_cast<std::uint8_t*>(text), room, count);
     });
 }
 

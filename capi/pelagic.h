@@ -245,6 +245,14 @@ static inline pelagic_sea pelagic_sea_make(void) {
  *   "analytic-intense", or "beaufort-0" to "beaufort-12". */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
+/* Writes name and summary, one line each, of a preset.
+ *
+ * index: from 0, the mildest preset, on; beaufort-0 to beaufort-12 are the last.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT beyond the last preset.
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_preset_at(int32_t index, const char** name, const char** summary);
+
 /* Checks the values of a sea.
  * Errors: PELAGIC_INVALID_ARGUMENT if no ocean can be made of it; the message names the first invalid field. */
 PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
@@ -276,6 +284,27 @@ typedef struct pelagic_statistics {
 
 /* Computes statistics of a sea that pelagic_sea_check() accepts, which takes as long as creating an ocean of it. */
 PELAGIC_API pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics* statistics);
+
+/* Computes the spectrum of the model, integrated over all directions and regardless of the cascades.
+ * It is 0 for analytic waves and ponds, whose spectra are lines.
+ *
+ * at: `count` frequencies in Hz or, if `is_by_wave_number` is not 0, wave numbers in rad/m; (0, 1e9).
+ * energy: receives `count` values, in m^2/Hz or m^3.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and as pelagic_sea_check().
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_sea_spectrum(const pelagic_sea* sea, int32_t is_by_wave_number, const double* at,
+                                                size_t count, double* energy);
+
+/* Checks options, as the functions that take them do. Rain is also checked against its grid later.
+ *
+ * type: name of the struct: "pelagic_dynamic_waves_options", "pelagic_disturbance", "pelagic_rain",
+ *   "pelagic_ripple", "pelagic_waves" (each wave alone), "pelagic_shore_options",
+ *   "pelagic_spray_options" or "pelagic_spray_emitter".
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for another name and an invalid value, whose field is named first.
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_options_check(const char* type, const void* options);
 
 /* ---- Executors ------------------------------------------------------------------------------- */
 
@@ -390,6 +419,13 @@ typedef struct pelagic_ocean_options {
 } pelagic_ocean_options;
 static inline pelagic_ocean_options pelagic_ocean_options_make(void) { PELAGIC_MAKE(pelagic_ocean_options); }
 
+/* Returns the name of an instruction set for pelagic_ocean_options.isa, or NULL.
+ *
+ * index: from 0, the narrowest that the CPU supports, on.
+ *
+ * Threads: any. */
+PELAGIC_API const char* pelagic_isa_at(int32_t index);
+
 typedef struct pelagic_ocean pelagic_ocean;
 
 /* Creates an ocean of a sea that pelagic_sea_check() accepts, and computes its spectrum; options may be NULL. */
@@ -480,6 +516,11 @@ typedef struct pelagic_frame {
     float roughness;
     float foam_level;   /* see pelagic_cascade; 1000 without foam, and if the sea has no whitecaps */
     float foam_age[16]; /* 1 and more: the snapshot has no effect */
+    uint64_t number;      /* of the frame, for pelagic_points.frame; from 1 on */
+    double wave_height_m; /* significant wave height, mean over all seeds */
+    /* In the order of pelagic_ocean_droplets(); NULL without pelagic_ocean_options.spray. */
+    const struct pelagic_droplet* droplets;
+    size_t droplet_count;
 } pelagic_frame;
 
 /* A cascade: a wavelength band and its square domain, which repeats along its own two axes. The displacements of a
@@ -626,6 +667,25 @@ PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64
 /* Computes the hash of the foam of the frame's cascades. */
 PELAGIC_API pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
+enum {
+    PELAGIC_HASH_FRAME = 0,
+    PELAGIC_HASH_FOAM = 1,
+    PELAGIC_HASH_DYNAMIC_WAVES = 2,
+    PELAGIC_HASH_SHORE = 3,
+    PELAGIC_HASH_SPRAY = 4
+};
+
+/* Computes one of the hashes of a frame.
+ *
+ * frame: as pelagic_points.frame.
+ * kind: PELAGIC_HASH_...
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for what the ocean was made without; PELAGIC_WRONG_ORDER as
+ *   pelagic_ocean_query().
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_ocean_frame_hash(const pelagic_ocean* ocean, uint64_t frame, int32_t kind,
+                                                    uint64_t* hash);
+
 /* ---- Another sea ----------------------------------------------------------------------------- */
 
 /* Starts to compute the spectrum of another sea; a frame may be in flight. Frames show the current sea until
@@ -680,6 +740,24 @@ static inline pelagic_forecast pelagic_forecast_make(void) { PELAGIC_MAKE(pelagi
  * Errors: as pelagic_ocean_create(); PELAGIC_INVALID_ARGUMENT for an invalid forecast. */
 PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast* forecast,
                                                          const pelagic_ocean_options* options, pelagic_ocean** ocean);
+
+/* Writes the sea of the frame completed last, which lies between two seas during a change.
+ *
+ * Errors: PELAGIC_WRONG_ORDER before the first frame.
+ * Threads: one thread per ocean. */
+PELAGIC_API pelagic_status pelagic_ocean_sea(const pelagic_ocean* ocean, pelagic_sea* sea);
+
+/* Writes warnings about the first sea, and about cascades that largest_peak_m makes too coarse. Takes
+ * as long as creating an ocean.
+ *
+ * text: receives lines and a final 0; NULL to obtain only the count.
+ * room: size of `text`.
+ * count: receives the number of bytes, at least 1.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for an invalid forecast, and if `room` is too small.
+ * Threads: any. */
+PELAGIC_API pelagic_status pelagic_forecast_warnings(const pelagic_forecast* forecast, char* text, size_t room,
+                                                     size_t* count);
 
 /* Appends a change to the forecast, whose spectrum is computed together with frames from now on; a frame may be in
  * flight. The call takes about 2 ms. The ocean keeps the last two changes: frames of earlier times show the oldest
@@ -960,6 +1038,15 @@ PELAGIC_API pelagic_status pelagic_ocean_set_spray_center(pelagic_ocean* ocean, 
 PELAGIC_API pelagic_status pelagic_ocean_emit(pelagic_ocean* ocean, const pelagic_spray_emitter* emitters,
                                               size_t count);
 
+/* A droplet of pelagic_frame.droplets, in the world. */
+typedef struct pelagic_droplet {
+    double position_m[3];
+    float velocity_mps[3];
+    float radius_m;
+    float opacity; /* at the middle of the droplet, [0, 1] */
+    float age_s;   /* since it left the water, [0, 1.5) */
+} pelagic_droplet;
+
 /* Arrays of the application for droplets, in the world. NULL: not written. */
 typedef struct pelagic_droplets {
     uint32_t struct_size;
@@ -1171,6 +1258,13 @@ enum {
 typedef struct pelagic_points {
     uint32_t struct_size;
     int32_t interpolation; /* PELAGIC_INTERPOLATION_...; foam is linear in both */
+    /* Nonzero: the executor's threads take part if there are more than 512 points. The call then waits for them,
+     * and may allocate. */
+    int32_t parallel;
+    /* pelagic_frame.number of a frame, which can be read until the second schedule after its own; 0: the frame
+     * completed last. */
+    uint64_t frame;
+    double tolerance_m; /* as pelagic_ocean_options.query_tolerance_m; 0: that of the ocean */
     size_t count;
     const double *x, *z; /* `count` values each; may be NULL if that is 0 */
 } pelagic_points;
@@ -1192,16 +1286,32 @@ typedef struct pelagic_samples {
 } pelagic_samples;
 static inline pelagic_samples pelagic_samples_make(void) { PELAGIC_MAKE(pelagic_samples); }
 
-/* Samples the surface of the frame completed last. If the surface intersects itself above a position, the highest
- * intersection is returned. Results depend only on the frame, the point, the tolerance and the interpolation.
- * Threads: any. The call allocates nothing and never waits. */
+/* Samples the surface of a frame. If the surface intersects itself above a position, the highest intersection is
+ * returned. Results depend only on the frame, the point, the tolerance and the interpolation.
+ * Errors: PELAGIC_WRONG_ORDER also for a frame whose memory has been reused.
+ * Threads: any. Unless `parallel` is set, the call allocates nothing and never waits. */
 PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                                const pelagic_samples* samples);
+
+/* Samples the water at undisplaced positions, for meshes that move with it.
+ *
+ * points: of the water's frame, each in [-1e9, 1e9]; only count, x, z and frame are used.
+ * displacement_m: receives x, y and z of each point, with dynamic waves and a shore; may be NULL.
+ * velocity_mps: receives x, y and z of each point; may be NULL.
+ * foam: receives a value for each point, as pelagic_samples.foam; may be NULL.
+ *
+ * Errors: PELAGIC_INVALID_ARGUMENT for a position out of range, with textures_only, and for velocities
+ *   or foam that the ocean was made without; PELAGIC_WRONG_ORDER as pelagic_ocean_query().
+ * Threads: any. The call allocates nothing and never waits. */
+PELAGIC_API pelagic_status pelagic_ocean_sample_undisplaced(const pelagic_ocean* ocean, const pelagic_points* points,
+                                                            double* displacement_m, float* velocity_mps, float* foam);
 
 typedef struct pelagic_ray {
     uint32_t struct_size;
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
     double direction[3]; /* of any length in [1e-100, 1e100] */
+    uint64_t frame;      /* as pelagic_points.frame */
+    double tolerance_m;  /* as pelagic_points.tolerance_m */
     double reach_m;      /* maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each */
 } pelagic_ray;
 static inline pelagic_ray pelagic_ray_make(void) { PELAGIC_MAKE(pelagic_ray); }
@@ -1214,7 +1324,7 @@ typedef struct pelagic_hit {
     float normal[3]; /* upper normal of the surface, whichever side is hit */
 } pelagic_hit;
 
-/* Finds the first intersection of a ray with the surface of the frame completed last.
+/* Finds the first intersection of a ray with the surface of a frame.
  * Threads: any. The call allocates nothing and never waits. */
 PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray,
                                                    pelagic_hit* hit);

@@ -27,19 +27,36 @@ class Shown {
     Frame frame_;
 };
 
+void show(QueryFrames& frames, const SurfaceQuery& query) { frames.set_current(query.frame(), query); }
+
 float number_of(const QueryFrames::Reader& reader) { return reader.query()->bounds().height_min_m; }
 
 TEST(CInterfaceQueryFrames, ReaderGetsTheNewestFrameAndKeepsIt) {
     Shown shown;
     QueryFrames frames;
     EXPECT_EQ(QueryFrames::Reader(frames).query(), nullptr);
-    frames.set_current(shown.query(1));
+    show(frames, shown.query(1));
     const QueryFrames::Reader first(frames);
     EXPECT_EQ(number_of(first), 1);
     frames.wait_for_old_readers();
-    frames.set_current(shown.query(2));
+    show(frames, shown.query(2));
     EXPECT_EQ(number_of(first), 1);
     EXPECT_EQ(number_of(QueryFrames::Reader(frames)), 2);
+}
+
+TEST(CInterfaceQueryFrames, ReaderGetsAFrameByItsNumberUntilItsMemoryIsNeeded) {
+    Shown shown;
+    QueryFrames frames;
+    const SurfaceQuery first = shown.query(1), second = shown.query(2);
+    EXPECT_EQ(frames.set_current(first.frame(), first), 1u);
+    EXPECT_EQ(QueryFrames::Reader(frames, 2).frame(), nullptr);
+    frames.wait_for_old_readers();
+    EXPECT_EQ(frames.set_current(second.frame(), second), 2u);
+    EXPECT_EQ(number_of(QueryFrames::Reader(frames, 1)), 1);
+    EXPECT_EQ(number_of(QueryFrames::Reader(frames, 2)), 2);
+    frames.wait_for_old_readers();
+    EXPECT_EQ(QueryFrames::Reader(frames, 1).frame(), nullptr);
+    EXPECT_EQ(number_of(QueryFrames::Reader(frames, 2)), 2);
 }
 
 // Long enough for a thread that does not wait to finish; a slow machine cannot fail a thread that
@@ -49,11 +66,11 @@ constexpr std::chrono::milliseconds a_while(100);
 TEST(CInterfaceQueryFrames, FrameIsOverwrittenAfterItsLastReader) {
     Shown shown;
     QueryFrames frames;
-    frames.set_current(shown.query(1));
+    show(frames, shown.query(1));
     auto first = std::make_unique<QueryFrames::Reader>(frames);
     auto second = std::make_unique<QueryFrames::Reader>(frames);
     frames.wait_for_old_readers();  // no reader holds the previous frame
-    frames.set_current(shown.query(2));
+    show(frames, shown.query(2));
     const QueryFrames::Reader of_the_newest(frames);
 
     std::atomic<bool> waits = false, is_free = false;
@@ -81,7 +98,7 @@ TEST(CInterfaceQueryFrames, HeldFrameNeverChanges) {
     std::vector<SurfaceQuery> queries;
     for (int n = 0; n < 64; ++n) queries.push_back(shown.query(static_cast<float>(n)));
     QueryFrames frames;
-    frames.set_current(queries[0]);
+    show(frames, queries[0]);
     std::atomic<bool> is_over = false;
     std::atomic<long> changed = 0, reads = 0;
     std::vector<std::thread> readers;
@@ -105,7 +122,7 @@ TEST(CInterfaceQueryFrames, HeldFrameNeverChanges) {
         // A frame takes a while to write: a reader that arrived too late for this memory would see
         // it change.
         for (int i = 0; i < 300; ++i) std::atomic_signal_fence(std::memory_order_seq_cst);
-        frames.set_current(queries[n % queries.size()]);
+        show(frames, queries[n % queries.size()]);
     }
     is_over = true;
     for (std::thread& reader : readers) reader.join();

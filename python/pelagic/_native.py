@@ -29,6 +29,11 @@ PELAGIC_EXECUTOR_APPLICATION = 4
 PELAGIC_TEXTURES_DEFAULT = 0
 PELAGIC_TEXTURES_ON = 1
 PELAGIC_TEXTURES_OFF = 2
+PELAGIC_HASH_FRAME = 0
+PELAGIC_HASH_FOAM = 1
+PELAGIC_HASH_DYNAMIC_WAVES = 2
+PELAGIC_HASH_SHORE = 3
+PELAGIC_HASH_SPRAY = 4
 PELAGIC_DYNAMIC_WAVES_SPECTRAL = 0
 PELAGIC_DYNAMIC_WAVES_VERLET = 1
 PELAGIC_SHAPE_GAUSS = 0
@@ -201,6 +206,10 @@ class pelagic_frame(ctypes.Structure):
         ("roughness", c_float),
         ("foam_level", c_float),
         ("foam_age", c_float * 16),
+        ("number", c_uint64),
+        ("wave_height_m", c_double),
+        ("droplets", c_void_p),
+        ("droplet_count", c_size_t),
     ]
 
 
@@ -381,6 +390,16 @@ class pelagic_spray_emitter(ctypes.Structure):
     ]
 
 
+class pelagic_droplet(ctypes.Structure):
+    _fields_ = [
+        ("position_m", c_double * 3),
+        ("velocity_mps", c_float * 3),
+        ("radius_m", c_float),
+        ("opacity", c_float),
+        ("age_s", c_float),
+    ]
+
+
 class pelagic_droplets(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -492,6 +511,9 @@ class pelagic_points(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
         ("interpolation", c_int32),
+        ("parallel", c_int32),
+        ("frame", c_uint64),
+        ("tolerance_m", c_double),
         ("count", c_size_t),
         ("x", c_void_p),
         ("z", c_void_p),
@@ -520,6 +542,8 @@ class pelagic_ray(ctypes.Structure):
         ("struct_size", c_uint32),
         ("origin_m", c_double * 3),
         ("direction", c_double * 3),
+        ("frame", c_uint64),
+        ("tolerance_m", c_double),
         ("reach_m", c_double),
     ]
 
@@ -660,6 +684,7 @@ STRUCTS = [
     pelagic_dynamic_waves_view,
     pelagic_spray_options,
     pelagic_spray_emitter,
+    pelagic_droplet,
     pelagic_droplets,
     pelagic_shore_options,
     pelagic_shore_surface,
@@ -755,11 +780,15 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "pelagic_last_error": (c_char_p, []),
     "pelagic_set_error_callback": (None, [c_void_p, c_void_p]),
     "pelagic_sea_preset": (c_int32, [c_char_p, POINTER(pelagic_sea)]),
+    "pelagic_preset_at": (c_int32, [c_int32, c_void_p, c_void_p]),
     "pelagic_sea_check": (c_int32, [POINTER(pelagic_sea)]),
     "pelagic_sea_statistics": (c_int32, [POINTER(pelagic_sea), POINTER(pelagic_statistics)]),
+    "pelagic_sea_spectrum": (c_int32, [POINTER(pelagic_sea), c_int32, c_void_p, c_size_t, c_void_p]),
+    "pelagic_options_check": (c_int32, [c_char_p, c_void_p]),
     "pelagic_executor_create": (c_int32, [POINTER(pelagic_executor_options), c_void_p]),
     "pelagic_executor_destroy": (None, [c_void_p]),
     "pelagic_executor_set_spin_us": (c_int32, [c_void_p, c_int32]),
+    "pelagic_isa_at": (c_char_p, [c_int32]),
     "pelagic_ocean_create": (c_int32, [POINTER(pelagic_sea), POINTER(pelagic_ocean_options), c_void_p]),
     "pelagic_ocean_destroy": (None, [c_void_p]),
     "pelagic_ocean_set_water_frame": (c_int32, [c_void_p, POINTER(pelagic_water_frame)]),
@@ -773,10 +802,13 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "pelagic_ocean_frame_at": (c_int32, [c_void_p, c_double, POINTER(pelagic_frame_buffers), POINTER(pelagic_bounds)]),
     "pelagic_ocean_hash": (c_int32, [c_void_p, c_void_p]),
     "pelagic_ocean_foam_hash": (c_int32, [c_void_p, c_void_p]),
+    "pelagic_ocean_frame_hash": (c_int32, [c_void_p, c_uint64, c_int32, c_void_p]),
     "pelagic_ocean_schedule_sea": (c_int32, [c_void_p, POINTER(pelagic_sea)]),
     "pelagic_ocean_poll_sea": (c_int32, [c_void_p, c_void_p]),
     "pelagic_ocean_complete_sea": (c_int32, [c_void_p]),
     "pelagic_ocean_create_forecast": (c_int32, [POINTER(pelagic_forecast), POINTER(pelagic_ocean_options), c_void_p]),
+    "pelagic_ocean_sea": (c_int32, [c_void_p, POINTER(pelagic_sea)]),
+    "pelagic_forecast_warnings": (c_int32, [POINTER(pelagic_forecast), c_char_p, c_size_t, c_void_p]),
     "pelagic_ocean_schedule_change": (c_int32, [c_void_p, POINTER(pelagic_change)]),
     "pelagic_dynamic_waves_create": (c_int32, [POINTER(pelagic_dynamic_waves_options), POINTER(pelagic_dynamic_waves_resources), c_void_p]),
     "pelagic_dynamic_waves_destroy": (None, [c_void_p]),
@@ -808,6 +840,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "pelagic_input_create_callback": (c_int32, [POINTER(pelagic_input_callback), c_void_p]),
     "pelagic_input_destroy": (None, [c_void_p]),
     "pelagic_ocean_query": (c_int32, [c_void_p, POINTER(pelagic_points), POINTER(pelagic_samples)]),
+    "pelagic_ocean_sample_undisplaced": (c_int32, [c_void_p, POINTER(pelagic_points), c_void_p, c_void_p, c_void_p]),
     "pelagic_ocean_first_hit": (c_int32, [c_void_p, POINTER(pelagic_ray), POINTER(pelagic_hit)]),
     "pelagic_hull_create": (c_int32, [POINTER(pelagic_hull_mesh), POINTER(pelagic_hull_options), c_void_p]),
     "pelagic_hull_destroy": (None, [c_void_p]),

@@ -75,6 +75,15 @@ namespace Pelagic
         Off = 2,
     }
 
+    public enum Hash
+    {
+        Frame = 0,
+        Foam = 1,
+        DynamicWaves = 2,
+        Shore = 3,
+        Spray = 4,
+    }
+
     public enum DynamicWavesKind
     {
         /// <summary>
@@ -456,6 +465,19 @@ namespace Pelagic
         public double DropMm;
     }
 
+    /// <summary>A droplet of pelagic_frame.droplets, in the world.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Droplet
+    {
+        public double PositionXM, PositionYM, PositionZM;
+        public float VelocityXMps, VelocityYMps, VelocityZMps;
+        public float RadiusM;
+        /// <summary>at the middle of the droplet, [0, 1]</summary>
+        public float Opacity;
+        /// <summary>since it left the water, [0, 1.5)</summary>
+        public float AgeS;
+    }
+
     /// <summary>
     /// Rings that run outwards from a point, in the cascade that holds waves of their length L. The height is, with
     /// q^2 = r^2 + (L / 2)^2,
@@ -490,6 +512,10 @@ namespace Pelagic
         public double OriginXM, OriginYM, OriginZM;
         /// <summary>of any length in [1e-100, 1e100]</summary>
         public double DirectionX, DirectionY, DirectionZ;
+        /// <summary>as pelagic_points.frame</summary>
+        public ulong Frame;
+        /// <summary>as pelagic_points.ToleranceM</summary>
+        public double ToleranceM;
         /// <summary>maximum distance; 0 to 1e6 texels of the coarsest cascade, of L / N metres each</summary>
         public double ReachM;
     }
@@ -919,6 +945,10 @@ namespace Pelagic
             internal float roughness;
             internal float foam_level;
             internal fixed float foam_age[16];
+            internal ulong number;
+            internal double wave_height_m;
+            internal Droplet* droplets;
+            internal UIntPtr droplet_count;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1148,6 +1178,9 @@ namespace Pelagic
         {
             internal uint struct_size;
             internal Interpolation interpolation;
+            internal int parallel;
+            internal ulong frame;
+            internal double tolerance_m;
             internal UIntPtr count;
             internal double* x;
             internal double* z;
@@ -1373,10 +1406,19 @@ namespace Pelagic
         internal static extern Status pelagic_sea_preset(byte* name, Sea* sea);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_preset_at(int index, byte** name, byte** summary);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_sea_check(Sea* sea);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_sea_statistics(Sea* sea, Statistics* statistics);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_sea_spectrum(Sea* sea, int is_by_wave_number, double* at, UIntPtr count, double* energy);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_options_check(byte* type, void* options);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_executor_create(pelagic_executor_options* options, IntPtr* executor);
@@ -1386,6 +1428,9 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_executor_set_spin_us(IntPtr executor, int us);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern byte* pelagic_isa_at(int index);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_create(Sea* sea, pelagic_ocean_options* options, IntPtr* ocean);
@@ -1427,6 +1472,9 @@ namespace Pelagic
         internal static extern Status pelagic_ocean_foam_hash(IntPtr ocean, ulong* hash);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_frame_hash(IntPtr ocean, ulong frame, int kind, ulong* hash);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_schedule_sea(IntPtr ocean, Sea* sea);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1437,6 +1485,12 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_create_forecast(pelagic_forecast* forecast, pelagic_ocean_options* options, IntPtr* ocean);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_sea(IntPtr ocean, Sea* sea);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_forecast_warnings(pelagic_forecast* forecast, byte* text, UIntPtr room, UIntPtr* count);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_schedule_change(IntPtr ocean, pelagic_change* change);
@@ -1530,6 +1584,9 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_query(IntPtr ocean, pelagic_points* points, pelagic_samples* samples);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_sample_undisplaced(IntPtr ocean, pelagic_points* points, double* displacement_m, float* velocity_mps, float* foam);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_first_hit(IntPtr ocean, Ray* ray, Hit* hit);
