@@ -4,7 +4,7 @@
 # applications include as <pelagic/pelagic.h>.
 set(PELAGIC_INCLUDE_ROOT ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${PELAGIC_INCLUDE_ROOT}/pelagic)
-foreach(folder message simd analytic jobs sim floating quadtree capi gl viewer tools web python contrib bench tests examples)
+foreach(folder message simd analytic jobs sim floating quadtree capi gl viewer tools web contrib bench tests examples)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PELAGIC_INCLUDE_ROOT}/pelagic/${folder} SYMBOLIC)
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PELAGIC_INCLUDE_ROOT}/pelagic/pelagic.h SYMBOLIC)

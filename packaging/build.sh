@@ -64,12 +64,12 @@ build_windows() {
 }
 
 build_python() {
-  CMAKE_ARGS="$from_sources -DPELAGIC_TBB=OFF -DCMAKE_MODULE_LINKER_FLAGS=-s" PYTHONPATH=python/build_backend \
-    /usr/bin/python3 -c 'import sys, wheel_of_cmake; wheel_of_cmake.build_wheel(sys.argv[1])' "$out"
+  CMAKE_ARGS="$from_sources -DPELAGIC_TBB=OFF -DCMAKE_SHARED_LINKER_FLAGS=-s" PELAGIC_WHEEL_PLATFORM=manylinux_2_34_x86_64 \
+    PYTHONPATH=python/build_backend /usr/bin/python3 -c 'import sys, wheel_of_cmake; wheel_of_cmake.build_wheel(sys.argv[1])' "$out"
 }
 
 build_blender() {
-  cmake --preset python $from_sources -DPython_EXECUTABLE=/usr/bin/python3 -DPELAGIC_TBB=OFF -DCMAKE_MODULE_LINKER_FLAGS=-s
+  cmake --preset python $from_sources -DPELAGIC_TBB=OFF -DCMAKE_SHARED_LINKER_FLAGS=-s
   cmake --build --preset python --target pelagic_blender
   zip=$(basename build/python/pelagic_blender-*.zip)
   "$packaging/artefact.py" zip "$out/$zip" build/python/contrib/blender pelagic_ocean

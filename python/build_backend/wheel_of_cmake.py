@@ -1,9 +1,10 @@
-"""Builds a wheel of the CMake target pelagic_python. PEP 517, with only Python's standard library
-and CMake.
+"""Builds a wheel of the CMake target pelagic_python, for every Python 3. PEP 517, with only Python's
+standard library and CMake.
 
 CMAKE_ARGS has additional options for CMake, such as -DPELAGIC_TBB=OFF. The build stays in
 build/python, for the next one. PELAGIC_PYTHON_PACKAGE names the package folder of a build that
-exists, which is packed instead.
+exists, which is packed instead. PELAGIC_WHEEL_PLATFORM is the platform of the wheel's name instead of
+this system, such as manylinux_2_34_x86_64.
 """
 
 import base64
@@ -13,7 +14,6 @@ import os
 import re
 import shlex
 import subprocess
-import sys
 import sysconfig
 import tarfile
 import zipfile
@@ -28,9 +28,10 @@ def field_of_project(name):
     return re.search(rf'^{name} = "(.*)"$', table, re.MULTILINE).group(1)
 
 
-def dependencies_of_project():
+def list_of_project(name):
+    """Returns a list of strings of that table."""
     table = (SOURCE / "pyproject.toml").read_text("utf-8").split("[project]")[1]
-    return re.findall(r'"(.*?)"', re.search(r"^dependencies = \[(.*)\]$", table, re.MULTILINE).group(1))
+    return re.findall(r'"(.*?)"', re.search(rf"^{name} = \[(.*?)\]$", table, re.MULTILINE | re.DOTALL).group(1))
 
 
 def version_of_header():
@@ -42,13 +43,9 @@ NAME, VERSION = field_of_project("name"), version_of_header()
 INFO = f"{NAME}-{VERSION}.dist-info"
 
 
-def python_tag():
-    return f"cp{sys.version_info.major}{sys.version_info.minor}"
-
-
 def tag():
-    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
-    return f"{python_tag()}-{python_tag()}-{platform}"
+    platform = os.environ.get("PELAGIC_WHEEL_PLATFORM") or re.sub(r"[-.]", "_", sysconfig.get_platform())
+    return f"py3-none-{platform}"
 
 
 def metadata():
@@ -58,7 +55,8 @@ def metadata():
         f"Version: {VERSION}",
         f"Summary: {field_of_project('description')}",
         f"Requires-Python: {field_of_project('requires-python')}",
-        *(f"Requires-Dist: {needed}" for needed in dependencies_of_project()),
+        *(f"Classifier: {each}" for each in list_of_project("classifiers")),
+        *(f"Requires-Dist: {needed}" for needed in list_of_project("dependencies")),
         "Description-Content-Type: text/markdown",
         "",
         (SOURCE / field_of_project("readme")).read_text("utf-8"),
@@ -73,23 +71,16 @@ def run(*command):
 
 
 def built_files():
-    """Returns the files of the package, by name. The folder may have modules for other Pythons too.
-    """
+    """Returns the files of the package, by name."""
     folder = os.environ.get("PELAGIC_PYTHON_PACKAGE")
     if not folder:
         build = SOURCE / "build" / "python"
-        # Not that of a virtual environment, which may no longer exist at the next build.
-        run("cmake", "--preset", "python", "-S", SOURCE, "-B", build, f"-DPython_EXECUTABLE={Path(sys.executable).resolve()}",
-            *shlex.split(os.environ.get("CMAKE_ARGS", "")))
+        run("cmake", "--preset", "python", "-S", SOURCE, "-B", build, *shlex.split(os.environ.get("CMAKE_ARGS", "")))
         run("cmake", "--build", build, "--target", "pelagic_python",
             "--parallel", os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))
         folder = build / "python" / "pelagic"
-    module = "_pelagic" + sysconfig.get_config_var("EXT_SUFFIX")
-    files = {file.name: file.read_bytes() for file in sorted(Path(folder).iterdir())
-             if file.name == module or file.suffix in (".py", ".pyi", ".typed")}
-    if module not in files:
-        raise SystemExit(f"{folder} has no {module}, the module for this Python")
-    return files
+    return {file.name: file.read_bytes() for file in sorted(Path(folder).iterdir())
+            if file.suffix in (".py", ".typed", ".so", ".dylib", ".dll")}
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

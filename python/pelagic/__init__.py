@@ -14,11 +14,16 @@ radians; time in seconds.
 from types import MappingProxyType as _MappingProxyType
 from typing import Mapping as _Mapping
 
-from ._explained import explain as _explain, nearest_hint as _nearest_hint
+from ._explained import explain as _explain
+from ._frame import Bounds, Cascade, Frame
+from ._hulls import Bodies, Hull, HullState
+from ._inputs import GerstnerInput, RippleInput, WaveInput
+from ._library import StaleFrame, isas_here, version as _version
+from ._ocean import Ocean
 from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions, SprayEmitter, SprayOptions
-from ._pelagic import (Bodies, Bounds, Cascade, DynamicWaves, DynamicWavesView, Frame, GerstnerInput, Hull, HullState, Ocean, RippleInput,
-                       ShoreSurface, StaleFrame, WaveInput, isas_here, preset_list as _preset_list, version as __version__)
-from ._sea import Report, Sea
+from ._sea import Report, Sea, presets_of_library as _presets_of_library
+from ._structs import nearest_hint as _nearest_hint
+from ._waves import DynamicWaves, DynamicWavesView, ShoreSurface
 
 __all__ = [
     "AnalyticWave", "Bodies", "Bounds", "Cascade", "Disturbance", "DynamicWaves", "DynamicWavesOptions", "DynamicWavesView", "Frame", "GerstnerInput",
@@ -26,12 +31,16 @@ __all__ = [
     "SprayOptions", "StaleFrame", "WaveInput", "isas_here", "preset", "preset_summaries", "presets",
 ]
 
+__version__ = _version()
+
+_presets = list(_presets_of_library())
+
 #: Named seas, mildest first, followed by the open sea of each Beaufort number, "beaufort-0" to
 #: "beaufort-12".
-presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _preset_list()})
+presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _presets})
 
 #: A one-line summary of each preset.
-preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _preset_list()})
+preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _presets})
 
 _explain(AnalyticWave, Bodies, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, Frame, GerstnerInput, Hull, Ocean, Rain, Ripple, RippleInput, Sea,
          ShoreOptions, SprayEmitter, SprayOptions)

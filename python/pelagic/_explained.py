@@ -2,16 +2,11 @@
 
 import functools
 import inspect
-from difflib import get_close_matches
-from typing import Any, Callable, Dict, Iterable, Optional, Tuple
+from typing import Any, Callable, Dict, Optional, Tuple
+
+from ._structs import nearest_hint
 
 _EMPTY = inspect.Parameter.empty
-
-
-def nearest_hint(name: str, names: Iterable[str]) -> str:
-    """Returns a hint such as " (the nearest is rough)", or an empty string."""
-    near = get_close_matches(name, list(names), 1)
-    return f" (the nearest is {near[0]})" if near else ""
 
 
 def _listed(names: Tuple[str, ...]) -> str:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from . import _pelagic
+from . import _structs
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -44,7 +44,7 @@ class DynamicWavesOptions:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_dynamic_waves_options(self)
+        _structs.dynamic_waves_struct(self)
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Disturbance:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_disturbance(self)
+        _structs.disturbance_struct(self)
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ class Rain:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_rain(self)
+        _structs.rain_struct(self)
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,7 @@ class SprayOptions:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_spray_options(self)
+        _structs.spray_struct(self)
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ class SprayEmitter:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_spray_emitter(self)
+        _structs.spray_emitter_struct(self)
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,7 +190,7 @@ class ShoreOptions:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_shore_options(self)
+        _structs.shore_struct(self)
 
 
 @dataclass(frozen=True)
@@ -210,7 +210,7 @@ class AnalyticWave:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_analytic_wave(self)
+        _structs.check_analytic_wave(self)
 
 
 @dataclass(frozen=True)
@@ -234,4 +234,4 @@ class Ripple:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_ripple(self)
+        _structs.ripple_struct(self)

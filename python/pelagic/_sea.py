@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Dict, List, Optional
+import ctypes
+import itertools
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Iterator, List, Optional, Tuple
 
-from . import _pelagic
+import numpy as np
+
+from . import _native as c
+from . import _structs
+from ._library import call, library, saved_by
+from ._numbers import doubles_of, invalid, number_text
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
 
@@ -123,27 +129,55 @@ class Sea:
     # end of generated
 
     def __post_init__(self) -> None:
-        _pelagic.check_sea(self)
+        _structs.check_sea(self)
 
     @classmethod
-    def _of_library(cls, fields: Dict[str, Any]) -> Sea:
+    def _of_library(cls, struct: Any) -> Sea:
         """Returns a sea of the library without checks: during a transition its values may not be a
         valid combination."""
         sea = object.__new__(cls)
-        sea.__dict__.update(fields)
+        sea.__dict__.update(_structs.sea_values(struct, (field.name for field in fields(cls))))
         return sea
 
     def report(self) -> Report:
         """Returns statistics of the waves. Takes as long as creating an ocean of this sea."""
-        found: Any = _pelagic.report(self)
-        return Report(**found)
+        sea, found = _structs.sea_struct(self), c.sized(c.pelagic_statistics)
+        call(library.pelagic_sea_statistics, sea, found)
+        has_scale = (self.waves, self.spectrum) != ("spectrum", "phillips-paper")
+        return Report(found.expected_wave_height_m, found.model_wave_height_m if has_scale else None, found.expected_peak_period_s,
+                      found.peak_wavelength_m, found.realised_wave_height_m, found.realised_peak_period_s, warnings_about(sea))
 
     def energy_by_frequency(self, frequencies_hz: ArrayLike) -> NDArray[np.float64]:
         """Returns the spectrum of the model, m^2/Hz, regardless of the cascades. Its integral is
         the variance of the height."""
-        return _pelagic.model_by_frequency(self, frequencies_hz)
+        return _energy(self, frequencies_hz, "frequencies_hz", 0)
 
     def energy_by_wave_number(self, wave_numbers: ArrayLike) -> NDArray[np.float64]:
         """Returns the spectrum of the model over wave numbers in rad/m, summed over all directions:
         m^3."""
-        return _pelagic.model_by_wave_number(self, wave_numbers)
+        return _energy(self, wave_numbers, "wave_numbers", 1)
+
+
+def _energy(sea: Sea, at: ArrayLike, name: str, is_by_wave_number: int) -> NDArray[np.float64]:
+    places = np.ascontiguousarray(doubles_of(at, name)).reshape(np.shape(at))
+    for place in places[~((places > 0) & (places < 1e9))].flat:
+        raise ValueError(invalid(name, number_text(float(place)), "(0, 1e9)"))
+    energy = np.empty_like(places)
+    call(library.pelagic_sea_spectrum, _structs.sea_struct(sea), is_by_wave_number, places.ctypes.data, places.size, energy.ctypes.data)
+    return energy
+
+
+def warnings_about(sea: Any, largest_peak_m: float = 0.0) -> List[str]:
+    """Returns the warnings about the cascades of a pelagic_sea."""
+    forecast = c.sized(c.pelagic_forecast, first=ctypes.pointer(sea), largest_peak_m=largest_peak_m)
+    return saved_by(library.pelagic_forecast_warnings, forecast)[:-1].decode().splitlines()
+
+
+def presets_of_library() -> Iterator[Tuple[str, str, Sea]]:
+    """Yields name, summary and sea of each preset."""
+    name, summary, struct = ctypes.c_char_p(), ctypes.c_char_p(), c.sized(c.pelagic_sea)
+    for index in itertools.count():
+        if library.pelagic_preset_at(index, ctypes.byref(name), ctypes.byref(summary)):
+            return
+        call(library.pelagic_sea_preset, name, struct)
+        yield (name.value or b"").decode(), (summary.value or b"").decode(), Sea._of_library(struct)

@@ -1,12 +1,18 @@
 """Shared by the tests of the Python package: the native command, golden values and their seas."""
 
+import ast
+import ctypes
+import inspect
 import os
+import re
 import subprocess
 from pathlib import Path
 
 import numpy as np
 import pelagic
 import pytest
+from pelagic import _native
+from pelagic._library import library
 
 SOURCE = Path(__file__).resolve().parents[2]
 GOLDEN = dict(line.split() for line in (SOURCE / "tests/golden/hashes.txt").read_text().splitlines())
@@ -29,6 +35,26 @@ def golden_rows(kind):
     """Returns the rows of tests/golden/values.txt by name."""
     rows = (line.split(" ", 2) for line in (SOURCE / "tests/golden/values.txt").read_text().splitlines())
     return {name: numbers for of, name, numbers in rows if of == kind}
+
+
+def docstrings_of_fields(cls):
+    body = ast.parse(inspect.getsource(cls)).body[0].body
+    return {field.target.id: text.value.value for field, text in zip(body, body[1:])
+            if isinstance(field, ast.AnnAssign) and isinstance(text, ast.Expr)}
+
+
+def defaults_of_library(type_, function):
+    """Returns the numbers that the C interface sets in a struct."""
+    struct = _native.sized(type_)
+    assert getattr(library, function)(ctypes.byref(struct)) == _native.PELAGIC_OK
+    return {name: getattr(struct, name) for name, *_ in type_._fields_}
+
+
+def accepted_by_library(create, name, default):
+    """Returns the range of a field, which the library's message about another value has."""
+    with pytest.raises(ValueError) as refused:
+        create(**{name: float("nan") if isinstance(default, float) else -2**31})
+    return re.split(r" is out of range |, expected ", str(refused.value), 1)[1]
 
 
 def run_pelagic(*arguments, given=None):

@@ -1,38 +1,46 @@
 """Views and commands of dynamic waves, shores and wave inputs."""
 
 import dataclasses
+import functools
 import re
 import warnings
 
 import numpy as np
 import pelagic
 import pytest
-from conftest import SMALL_SEA, bay
-from names_test import docstrings_of_fields
-from pelagic import _pelagic
+from conftest import SMALL_SEA, accepted_by_library, bay, defaults_of_library, docstrings_of_fields
+from pelagic import _native
 
 GRID = pelagic.DynamicWavesOptions(resolution=64, depth_m=4000)
 STONE = pelagic.Disturbance(mode="impulse", x_m=3, z_m=-2, radius_m=2, height_m=0.4)
 BOAT = pelagic.Disturbance(shape="hull", x_m=-10, z_m=5, radius_m=1, length_m=4, height_m=-0.5, velocity_x_mps=6)
 TICK_S = 1 / 60
 
-FIELDS = {
-    pelagic.AnalyticWave: _pelagic.analytic_wave_fields, pelagic.Disturbance: _pelagic.disturbance_fields,
-    pelagic.DynamicWavesOptions: _pelagic.dynamic_waves_fields, pelagic.Rain: _pelagic.rain_fields, pelagic.Ripple: _pelagic.ripple_fields,
-    pelagic.ShoreOptions: _pelagic.shore_fields, pelagic.SprayEmitter: _pelagic.spray_emitter_fields, pelagic.SprayOptions: _pelagic.spray_fields,
+# Of each class, the struct of C with a function that sets its defaults, if it has one.
+OPTIONS = {
+    pelagic.AnalyticWave: None, pelagic.Disturbance: (_native.pelagic_disturbance, "pelagic_disturbance_defaults"),
+    pelagic.DynamicWavesOptions: (_native.pelagic_dynamic_waves_options, "pelagic_dynamic_waves_defaults"),
+    pelagic.Rain: (_native.pelagic_rain, "pelagic_rain_defaults"), pelagic.Ripple: None,
+    pelagic.ShoreOptions: (_native.pelagic_shore_options, "pelagic_shore_defaults"),
+    pelagic.SprayEmitter: (_native.pelagic_spray_emitter, "pelagic_spray_emitter_defaults"),
+    pelagic.SprayOptions: (_native.pelagic_spray_options, "pelagic_spray_defaults"),
 }
 
 
-@pytest.mark.parametrize("cls", FIELDS)
-def test_options_have_the_fields_defaults_and_ranges_of_the_library(cls):
+@pytest.mark.parametrize("cls", OPTIONS)
+def test_options_have_the_defaults_and_ranges_of_the_library(cls):
     here = {field.name: field.default for field in dataclasses.fields(cls) if field.name not in ("step", "shape", "mode", "heights_m")}
-    assert here == {name: default for name, default, _ in FIELDS[cls]()}
     docs = docstrings_of_fields(cls)
     assert set(docs) == {field.name for field in dataclasses.fields(cls)}
+    create = functools.partial(cls, np.zeros((3, 3))) if cls is pelagic.ShoreOptions else cls
     # shared docstrings of x_m and z_m have the range, too
-    if cls is not pelagic.DynamicWavesOptions:
-        for name, _, accepted in FIELDS[cls]():
-            assert not re.match(r"[\[(]", accepted) or accepted in docs[name], name
+    for name, default in here.items():
+        accepted = accepted_by_library(create, name, default)
+        assert cls is pelagic.DynamicWavesOptions or not re.match(r"[\[(]", accepted) or accepted in docs[name], name
+    if OPTIONS[cls]:
+        there = defaults_of_library(*OPTIONS[cls])
+        here.pop("swash_m", None)  # 0 in C
+        assert here == {name: there[name] for name in here}
 
 
 def test_a_view_has_the_waves_at_their_position():

@@ -1,5 +1,5 @@
-"""Runs every line of docs/integrations/python.md: its shell lines build the package, or pack the
-one in PACKAGE_FOLDER, and its Python blocks print the documented output.
+"""Runs every line of docs/integrations/python.md: its shell lines install a wheel of the package in
+PACKAGE_FOLDER, or else build it from the sources, and its Python blocks print the documented output.
 
 usage: page_lines.py SOURCE_FOLDER [PACKAGE_FOLDER]
 """
@@ -15,6 +15,9 @@ source = Path(sys.argv[1])
 # Debian's python3, which Debian's packages are for, before any other.
 environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "PIP_NO_INDEX": "1", "PYTHONDONTWRITEBYTECODE": "1",
                **{"PELAGIC_PYTHON_PACKAGE": folder for folder in sys.argv[2:]}}
+# What stands for the wheel of a release.
+wheels = source / "build/python-wheel"
+installed = f"{wheels}/*.whl" if sys.argv[2:] else "."
 blocks = re.findall(r"^```(\w+)\n(.*?)^```$", (source / "docs/integrations/python.md").read_text(), re.MULTILINE | re.DOTALL)
 assert {"bash": 2, "python": 3, "text": 3} == {kind: sum(language == kind for language, _ in blocks) for kind in ("bash", "python", "text")}
 
@@ -26,7 +29,11 @@ def run(*command, **options):
     return done.stdout
 
 
-shutil.rmtree(source / "build/python-venv", ignore_errors=True)
+for folder in (source / "build/python-venv", wheels):
+    shutil.rmtree(folder, ignore_errors=True)
+if sys.argv[2:]:
+    wheels.mkdir(parents=True)
+    run("python3", "-c", f"import sys; sys.path.insert(0, 'python/build_backend'); import wheel_of_cmake; wheel_of_cmake.build_wheel({str(wheels)!r})")
 
 # One program of all blocks, in order; a mark separates their outputs.
 mark = "-- the next block --"
@@ -37,7 +44,8 @@ for (language, text), (following, printed) in zip(blocks, [*blocks[1:], ("", "")
         program += f"{text}\nprint({mark!r})\n"
         expected.append(printed if following == "text" else "")
     elif language == "bash" and program == "":
-        print(run("bash", "-e", "-c", text).strip().splitlines()[-1])
+        assert "dist/*.whl" in text
+        print(run("bash", "-e", "-c", text.replace("dist/*.whl", installed)).strip().splitlines()[-1])
 
 seen = [part.removeprefix("\n") for part in run("build/python-venv/bin/python", "-c", program).split(mark)][:-1]
 for number, (there, here) in enumerate(zip(expected, seen)):

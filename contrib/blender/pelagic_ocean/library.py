@@ -12,6 +12,6 @@ try:
     import pelagic
 except ImportError as error:
     problem = (f"The add-on's library does not load in Python {sys.version_info.major}.{sys.version_info.minor} on "
-               f"{platform.system()} {platform.machine()} ({error}): install the zip made for these")
+               f"{platform.system()} {platform.machine()} ({error}): install the zip made for this system")
 finally:
     sys.path.remove(folder)

@@ -1,0 +1,435 @@
+"""Oceans, whose objects may outlive one another: frames detect that their memory is reused, arrays
+prevent it from being overwritten, and threads take turns.
+
+An ocean has the memory of two frames: schedule() overwrites the frame before the one completed last.
+It waits for readers of that frame, and raises BufferError if arrays view it. Locks are taken in the
+order _turn, _state. Destructors, which may run within a locked section, take none.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import threading
+from types import TracebackType
+from typing import Any, Iterable, List, Optional, Tuple, Type, get_args
+
+from numpy.typing import ArrayLike
+
+from . import _native as c
+from . import _queries
+from ._frame import Frame
+from ._inputs import TakenInputs, WaveInput
+from ._library import StaleFrame, call, error_of, library, saved_by
+from ._numbers import bytes_of, instance_of, invalid, iterable_of, number_of, number_text, whole_number_of, warn
+from ._options import DynamicWavesOptions, ShoreOptions, SprayEmitter, SprayOptions
+from ._queries import Field, Interpolation, SurfaceSamples
+from ._sea import Sea, warnings_about
+from ._structs import dynamic_waves_struct, sea_struct, shore_struct, spray_emitter_struct, spray_struct
+from ._waves import DynamicWaves
+
+def executor_of(threads: int) -> ctypes.c_void_p:
+    """Returns an executor with a number of threads. The caller destroys it."""
+    handle = ctypes.c_void_p()
+    call(library.pelagic_executor_create, c.sized(c.pelagic_executor_options, threads=min(max(whole_number_of(threads, "threads"), -2**31), 2**31 - 1)),
+         ctypes.byref(handle))
+    return handle
+
+
+def _textures(wanted: Optional[bool]) -> int:
+    return c.PELAGIC_TEXTURES_DEFAULT if wanted is None else c.PELAGIC_TEXTURES_ON if wanted else c.PELAGIC_TEXTURES_OFF
+
+
+def _sea_of(sea: Any, struct: Any) -> Sea:
+    return sea if isinstance(sea, Sea) else Sea._of_library(struct)
+
+
+class Ocean:
+    """A sea that computes frames. Use it in a `with` statement, or call close().
+
+    It has the memory of two frames. While an array views a frame, the second schedule() or
+    frame_at() after that frame's raises BufferError instead of overwriting it. close(), or the last
+    view after it, frees the memory.
+    """
+
+    def __init__(
+        self,
+        sea: Sea,
+        queries: bool = True,
+        velocities: bool = False,
+        foam: bool = False,
+        gradients: Optional[bool] = None,
+        slopes: Optional[bool] = None,
+        threads: int = 0,
+        isa: Optional[str] = None,
+        largest_peak_m: float = 0.0,
+        dynamic_waves: Optional[DynamicWavesOptions] = None,
+        shore: Optional[ShoreOptions] = None,
+        inputs: Iterable[WaveInput] = (),
+        planes: bool = True,
+        spray: Optional[SprayOptions] = None,
+    ) -> None:
+        """Creates an ocean.
+
+        queries     allow query() and rays() on frames
+        velocities  compute velocities; about twice the work
+        foam        compute foam, which depends on the last 2.8 seconds
+        gradients   normals of each cascade; None: with cascades=1, and without slopes
+        slopes      slopes of each cascade; None: with 2 or more cascades, with foam, and without
+                    gradients. Foam needs slopes. Slopes and gradients cannot both be False
+        threads     maximum threads of a frame, including the calling thread; 0: one per core
+        isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest.
+                    Results are bit-identical
+        largest_peak_m  longest peak wavelength that the cascades support, for a sea of a later
+                    transition: its report().peak_wavelength_m. 0: that of the first sea. A warning
+                    names the shortest wave that is left if it is twice as long as without
+        dynamic_waves  the grid of wakes, ripples and splashes; None: no dynamic waves
+        shore       a sea floor that affects waves; None: no shore
+        inputs      waves that are added to those of the wind, in this order; they change the hash
+        planes      displacement as floats. False leaves only textures, for applications that only
+                    draw; needs queries=False
+        spray       droplets of breaking crests and emitters; None: no spray
+        """
+        self._turn = threading.Lock()  # held while the ocean works
+        self._state = threading.Lock()  # of all members below but _views and _left
+        self._readers_left = threading.Condition(self._state)
+        self._handles: List[int] = []  # the handle, until it is destroyed
+        self._readers = 0
+        self._views: "dict[int, Tuple[int, float]]" = {}  # number and time of the frame of each view
+        self._left: List[Any] = []  # handles of bodies, which the next call destroys
+        self._is_closed = self._in_flight = False
+        self._is_over = False  # closed, and without readers
+        self._newest = self._oldest = 0  # numbers of the frame completed last, and of the oldest in memory
+        self._has_changes = False
+        first = sea_struct(sea)
+        self._sea = _sea_of(sea, first)
+        self._has_velocities, self._has_whitecaps = bool(velocities), bool(foam)
+        known: List[Tuple[str, Any, type, Any]] = [
+            ("dynamic_waves", dynamic_waves, DynamicWavesOptions, dynamic_waves_struct), ("shore", shore, ShoreOptions, shore_struct),
+            ("spray", spray, SprayOptions, spray_struct)]
+        parts = {name: struct_of(instance_of(cls, given, name)) for name, given, cls, struct_of in known if given is not None}
+        self._has_dynamic_waves, self._has_shore, self._has_spray = (name in parts for name in ("dynamic_waves", "shore", "spray"))
+        if isa is not None and not isinstance(isa, str):
+            raise TypeError(invalid("isa", repr(isa), "sse4.2, avx2, avx512 or neon"))
+        options = c.sized(c.pelagic_ocean_options, queries=bool(queries), velocities=bool(velocities), foam=bool(foam), gradients=_textures(gradients),
+                          slopes=_textures(slopes), textures_only=not planes, isa=isa.encode() if isa is not None else None,
+                          **{name: ctypes.addressof(struct) for name, struct in parts.items()})
+        largest_peak_m = number_of(largest_peak_m, "largest_peak_m")
+        forecast = c.sized(c.pelagic_forecast, first=ctypes.pointer(first), largest_peak_m=largest_peak_m)
+        with TakenInputs(inputs, self) as handles:
+            options.input_count, options.inputs = len(handles), ctypes.addressof(handles)
+            executor = executor_of(threads)
+            options.executor = executor
+            try:
+                if largest_peak_m > 0:
+                    self._warn_of_cascades(first, largest_peak_m)
+                handle = ctypes.c_void_p()
+                call(library.pelagic_ocean_create_forecast, forecast, options, ctypes.byref(handle))
+            finally:
+                library.pelagic_executor_destroy(executor)
+            self._handle: int = handle.value or 0
+            self._handles.append(self._handle)
+        self._info = c.sized(c.pelagic_ocean_info)
+        call(library.pelagic_ocean_describe, self._handle, self._info)
+        self._has_foam = self._has_whitecaps or self._has_dynamic_waves or self._has_shore
+        self._default_fields = tuple(name for name in get_args(Field)
+                                     if (name != "velocity" or self._has_velocities) and (name != "foam" or self._has_foam))
+        self._waves = ctypes.c_void_p()
+        if self._has_dynamic_waves:
+            call(library.pelagic_ocean_dynamic_waves, self._handle, ctypes.byref(self._waves))
+
+    @staticmethod
+    def _warn_of_cascades(first: Any, largest_peak_m: float) -> None:
+        alone = warnings_about(first)
+        for text in warnings_about(first, largest_peak_m):
+            if text not in alone:
+                warn(text)
+
+    # ---- turns, readers and views ----
+
+    def _need_open(self) -> None:
+        if self._is_closed:
+            raise ValueError("the ocean is closed")
+
+    def _need_no_frame_in_flight(self) -> None:
+        self._need_open()
+        if self._in_flight:
+            raise RuntimeError("a frame is in flight; call complete() first")
+
+    def _need_alive(self, number: int) -> None:
+        self._need_open()
+        if number < self._oldest:
+            raise StaleFrame("the frame's memory holds a later one: a frame lasts until the second schedule() or frame_at() after its own")
+
+    def _enter(self, number: int) -> None:
+        """Begins to read a frame, so that close() waits. _leave() must follow."""
+        with self._state:
+            if self._is_closed or number < self._oldest:
+                self._need_alive(number)
+            self._readers += 1
+
+    def _leave(self) -> None:
+        with self._state:
+            self._readers -= 1
+            if self._is_closed and self._readers == 0:
+                self._readers_left.notify_all()
+
+    def _error_of(self, status: int, number: int) -> Exception:
+        """Returns the error of a function that reads a frame."""
+        if status == c.PELAGIC_WRONG_ORDER:
+            self._need_alive(number)
+        return error_of(status)
+
+    def _hash(self, number: int, kind: int) -> int:
+        hash_ = ctypes.c_uint64()
+        self._enter(number)
+        try:
+            status = library.pelagic_ocean_frame_hash(self._handle, number, kind, ctypes.byref(hash_))
+        finally:
+            self._leave()
+        if status:
+            raise self._error_of(status, number)
+        return hash_.value
+
+    def _destroy(self, destroy: Any = library.pelagic_ocean_destroy) -> None:
+        try:
+            handle = self._handles.pop()
+        except IndexError:
+            return
+        destroy(handle)
+
+    def _destroy_if_unused(self) -> None:
+        if self._is_over and not self._views:
+            self._destroy()
+
+    def _destroy_left(self, destroy: Any = library.pelagic_bodies_destroy) -> None:
+        """Destroys sets of bodies that are no longer referenced, and removes their pressures."""
+        while self._left:
+            destroy(self._left.pop())
+
+    def __del__(self) -> None:
+        if "_handles" in vars(self):
+            self._destroy_left()
+            self._destroy()
+
+    def _begin(self, time_s: float) -> None:
+        """Schedules a frame. The turn is held."""
+        self._need_open()
+        self._destroy_left()
+        with self._state:
+            self._need_no_frame_in_flight()
+            if not math.isfinite(time_s):
+                raise ValueError(invalid("time_s", number_text(time_s), "a finite number"))
+            for number, time_of_view_s in list(self._views.values()):
+                if number < self._newest:
+                    raise BufferError(f"an array of the frame of {number_text(time_of_view_s)} s is still in use, and the next frame needs its memory: "
+                                      "drop the array, or keep a copy() of it")
+            self._oldest = self._newest
+        status = library.pelagic_ocean_schedule(self._handle, time_s)
+        if status:
+            raise error_of(status)
+        self._in_flight = True
+
+    def _end(self, frame: Any) -> None:
+        """Completes a frame and writes its struct. The turn is held."""
+        self._need_open()
+        if not self._in_flight:
+            raise RuntimeError("no frame is in flight; call schedule() first")
+        self._in_flight = False
+        status = library.pelagic_ocean_complete(self._handle, frame)
+        if status:
+            raise error_of(status)
+        self._newest = frame.number
+
+    def _repeat_length_m(self) -> float:
+        """Returns the side of the coarsest cascade. A frame is completed, and the turn is held."""
+        cascade = c.sized(c.pelagic_cascade)
+        call(library.pelagic_ocean_cascade, self._handle, 0, cascade)
+        return float(cascade.side_m)
+
+    def _completed(self) -> Frame:
+        struct = c.sized(c.pelagic_frame)
+        self._end(struct)
+        return Frame(self, struct)
+
+    # ---- the interface ----
+
+    def __enter__(self) -> Ocean:
+        self._need_open()
+        return self
+
+    def __exit__(self, kind: Optional[Type[BaseException]], error: Optional[BaseException], trace: Optional[TracebackType]) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Waits for readers of frames and frees the memory. Afterwards frames raise ValueError;
+        arrays stay valid."""
+        with self._turn:
+            with self._state:
+                self._is_closed = True
+                self._readers_left.wait_for(lambda: self._readers == 0)
+            self._is_over = True
+            self._destroy_left()
+            self._destroy_if_unused()
+
+    @property
+    def is_closed(self) -> bool:
+        """True after close(), or after the end of a with statement."""
+        return self._is_closed
+
+    def schedule(self, time_s: float) -> None:
+        """Starts the frame of a time and returns at once."""
+        time_s = number_of(time_s, "time_s")
+        with self._turn:
+            self._begin(time_s)
+
+    def is_ready(self) -> bool:
+        """True if complete() would not wait for other threads."""
+        ready = ctypes.c_int32()
+        with self._turn:
+            self._need_open()
+            call(library.pelagic_ocean_poll, self._handle, ctypes.byref(ready))
+        return bool(ready.value)
+
+    def complete(self) -> Frame:
+        """Waits for the scheduled frame, and helps to compute it."""
+        with self._turn:
+            return self._completed()
+
+    def frame_at(self, time_s: float) -> Frame:
+        """Calls schedule() and complete()."""
+        time_s = number_of(time_s, "time_s")
+        with self._turn:
+            self._begin(time_s)
+            return self._completed()
+
+    def series(
+        self,
+        points: ArrayLike,
+        times: ArrayLike,
+        *,
+        fields: Optional[Iterable[Field]] = None,
+        tolerance_m: float = 0.001,
+        interpolation: Interpolation = "cubic",
+        repeats: bool = False,
+    ) -> SurfaceSamples:
+        """Returns the results of frame_at(time).query(points) for each of n times, while other
+        threads run: arrays of shape (n, ...), vectors of shape (n, ..., 3), for points of shape
+        (..., 2). Earlier frames become stale.
+
+        Raises ValueError if the times span more than the sea's loop, unless repeats is True. Warns
+        like query().
+        """
+        return _queries.series(self, points, times, fields, tolerance_m, interpolation, repeats)
+
+    def schedule_sea(self, sea: Sea, from_s: float, over_s: float, swell_from_m: float = 0.0) -> None:
+        """Schedules a transition to another sea, from a time on and over a number of seconds.
+        Cascades, depth, loop and seed must be the same. A transition from before the frame computed
+        last starts at that frame's time. If swell_from_m, the distance of the swell's origin in
+        metres, is not 0, long waves arrive first."""
+        struct = sea_struct(sea)
+        change = c.sized(c.pelagic_change, sea=ctypes.pointer(struct), from_s=number_of(from_s, "from_s"), over_s=number_of(over_s, "over_s"),
+                         swell_from_m=number_of(swell_from_m, "swell_from_m"))
+        with self._turn:
+            self._need_open()
+            call(library.pelagic_ocean_schedule_change, self._handle, change)
+            self._has_changes = True
+            self._sea = _sea_of(sea, struct)
+
+    def set_water_frame(self, sea_level_m: float = 0.0, current_mps: Tuple[float, float] = (0.0, 0.0)) -> None:
+        """Sets the sea level, [-1000, 1000], and the velocity of a uniform current along x and z,
+        each [-10, 10], for frames that are scheduled from now on. Queries and dynamic waves then
+        use positions in the world, and the current carries the water; the other data of frames do
+        not change. Raises ValueError with a shore."""
+        x_mps, z_mps = current_mps
+        water = c.sized(c.pelagic_water_frame, sea_level_m=number_of(sea_level_m, "sea_level_m"), current_x_mps=number_of(x_mps, "current_mps"),
+                        current_z_mps=number_of(z_mps, "current_mps"))
+        with self._turn:
+            self._need_open()
+            call(library.pelagic_ocean_set_water_frame, self._handle, water)
+
+    def _need_spray(self, of: str = "ocean") -> None:
+        if not self._has_spray:
+            raise ValueError(f"the {of} has no spray: create the ocean with spray=pelagic.SprayOptions()")
+
+    def set_spray_center(self, x_m: float, z_m: float) -> None:
+        """Sets the centre of the spray of crests, usually the camera. It takes effect at the next
+        schedule(), for the ticks computed from then on. Requires Ocean(spray=...)."""
+        self._need_spray()
+        x_m, z_m = number_of(x_m, "x_m"), number_of(z_m, "z_m")
+        with self._turn:
+            self._need_open()
+            call(library.pelagic_ocean_set_spray_center, self._handle, x_m, z_m)
+
+    def emit(self, emitters: Iterable[SprayEmitter]) -> None:
+        """Adds droplets of emitters to frames that are scheduled from now on, at most 8192 in a call.
+        Requires Ocean(spray=...)."""
+        self._need_spray()
+        all_ = [spray_emitter_struct(instance_of(SprayEmitter, each, f"emitters[{i}]"))
+                for i, each in enumerate(iterable_of(emitters, "emitters", "a list of pelagic.SprayEmitter"))]
+        array = (c.pelagic_spray_emitter * len(all_))(*all_)
+        with self._turn:
+            self._need_open()
+            call(library.pelagic_ocean_emit, self._handle, array, len(all_))
+
+    def save_spray(self) -> bytes:
+        """Returns the droplets of emitters. No frame may be in flight."""
+        self._need_spray()
+        with self._turn:
+            self._need_no_frame_in_flight()
+            return saved_by(library.pelagic_ocean_save_spray, self._handle)
+
+    def restore_spray(self, saved: bytes) -> None:
+        """Replaces the droplets of emitters. No frame may be in flight."""
+        self._need_spray()
+        saved = bytes_of(saved, "save_spray")
+        with self._turn:
+            self._need_no_frame_in_flight()
+            call(library.pelagic_ocean_restore_spray, self._handle, saved, len(saved))
+
+    @property
+    def dynamic_waves(self) -> DynamicWaves:
+        """The dynamic waves. Requires Ocean(dynamic_waves=...)."""
+        self._need_open()
+        if not self._has_dynamic_waves:
+            raise ValueError("the ocean has no dynamic waves: create the ocean with dynamic_waves=pelagic.DynamicWavesOptions()")
+        return DynamicWaves(self)
+
+    def _fact(self, name: str) -> Any:
+        self._need_open()
+        return getattr(self._info, name)
+
+    @property
+    def sea(self) -> Sea:
+        """The sea after the last transition."""
+        self._need_open()
+        return self._sea
+
+    @property
+    def resolution(self) -> int:
+        """Texels along a side of each cascade."""
+        return int(self._fact("resolution"))
+
+    @property
+    def cascade_count(self) -> int:
+        """Number of cascades of every frame."""
+        return int(self._fact("cascade_count"))
+
+    @property
+    def threads(self) -> int:
+        """Maximum threads of a frame, including the calling thread."""
+        return int(self._fact("threads"))
+
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes that the ocean allocated."""
+        info = c.sized(c.pelagic_ocean_info)
+        with self._turn:
+            self._need_open()
+            call(library.pelagic_ocean_describe, self._handle, info)
+        return int(info.memory_bytes)
+
+    @property
+    def isa(self) -> str:
+        """The instruction set in use."""
+        return str(self._fact("isa").decode())
