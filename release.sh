@@ -25,8 +25,8 @@ for part in "${parts[@]}"; do
     linux) packages+=(debootstrap) ;;
     arm64) packages+=("${pelagic_arm64_packages[@]}") ;;
     windows) packages+=("${pelagic_windows_packages[@]}" unzip) ;;
-    python) packages+=(pybind11-dev python3-dev python3-venv python3-numpy) ;;
-    blender) packages+=(pybind11-dev python3-dev blender) ;;
+    python) packages+=(python3-venv python3-numpy) ;;
+    blender) packages+=(blender) ;;
     npm)
       packages+=("${pelagic_web_packages[@]}")
       command -v npm >/dev/null || packages+=(npm)

@@ -29,10 +29,9 @@ pelagic_packages=(
 # Packages for tests only: a compiler cache and a quick linker; an X server with a mouse, for the
 # window; pkg-config, as applications use it; the reference compiler of GLSL, for shaders that no
 # driver here compiles; strace, to check that files are synced; valgrind and Python, to count
-# instructions; groff, to check the manual page; a validation layer for OpenXR; pybind11, Python's
-# headers and NumPy, for the Python package.
+# instructions; groff, to check the manual page; a validation layer for OpenXR; NumPy.
 pelagic_test_packages=(ccache lld xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3 groff-base
-                       openxr-layer-corevalidation pybind11-dev python3-dev python3-numpy)
+                       openxr-layer-corevalidation python3-numpy)
 
 # Packages for the gate: clang with its sanitizers and libFuzzer; Doxygen, for the API reference; mono
 # and its compiler of C#, and a translator of shaders; what the Python package's tests need; Blender.

@@ -31,7 +31,6 @@ COMPONENTS = {
     "OpenEXR": ("libopenexr-dev", "BSD-3-Clause", "https://github.com/AcademySoftwareFoundation/openexr"),
     "Dear ImGui": ("libimgui-dev", "MIT", "https://github.com/ocornut/imgui"),
     "stb": ("libstb-dev", "MIT OR Unlicense", "https://github.com/nothings/stb"),
-    "pybind11": ("pybind11-dev", "BSD-3-Clause", "https://github.com/pybind/pybind11"),
     "Emscripten": ("emscripten", "MIT OR NCSA", "https://github.com/emscripten-core/emscripten"),
     "musl": ("emscripten", "MIT", "https://musl.libc.org"),
     "dlmalloc": ("emscripten", "CC0-1.0", "https://gee.cs.oswego.edu/dl/html/malloc.html"),
@@ -52,7 +51,7 @@ CONTENTS = [
     (r"pelagic-[\d.]+-linux-x86_64\.tar\.gz", [*LIBRARY, *COMMAND, *IMAGES]),
     (r"pelagic-[\d.]+-linux-arm64\.tar\.gz", [*LIBRARY, *COMMAND]),
     (r"pelagic-[\d.]+-windows-x86_64\.zip", [*LIBRARY, *COMMAND, *WINDOWS]),
-    (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", [*LIBRARY, "pybind11"]),
+    (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", LIBRARY),
     (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "dlmalloc", "libc++"]),
     (r"pelagic-godot3-.*\.zip", LIBRARY),
     (r"com\.pelagic\.ocean-.*\.tgz", [*LIBRARY, *WINDOWS]),
@@ -69,7 +68,7 @@ BUILDS = {
 # Owners of headers that compile nothing in: those of the systems' compilers, and of libraries that
 # are linked at run time.
 INTERFACES = re.compile(r"libc6-.*|libgcc-.*|libstdc\+\+-.*|linux-libc-.*|libclang-.*|gcc-mingw-.*|mingw-.*|libegl-dev|libgles-dev|libgl-dev|"
-                        r"libglfw3-dev|libzstd-dev|libpython3.*")
+                        r"libglfw3-dev|libzstd-dev")
 
 
 def version_of(package):
