@@ -21,7 +21,7 @@ struct HeightsAtPoints {
         }
     }
     pelagic_points points(std::uint64_t frame = 0) const {
-        auto points = sized<pelagic_points>();
+        auto points = pelagic_points_make();
         points.count = x.size();
         points.x = x.data();
         points.z = z.data();
@@ -29,7 +29,7 @@ struct HeightsAtPoints {
         return points;
     }
     pelagic_status query(const COcean& ocean, const pelagic_points& points) {
-        auto samples = sized<pelagic_samples>();
+        auto samples = pelagic_samples_make();
         samples.height_m = height.data();
         return pelagic_ocean_query(ocean.get(), &points, &samples);
     }
@@ -61,8 +61,8 @@ TEST_F(CInterfaceReads, FrameIsReadByItsNumberUntilTheSecondScheduleAfterIt) {
                     "frame 1 is not in memory, expected one of the last two");
     EXPECT_EQ(pelagic_ocean_frame_hash(ocean.get(), first.number, PELAGIC_HASH_FRAME, &found), PELAGIC_WRONG_ORDER);
     EXPECT_EQ(later.query(ocean, later.points(second.number)), PELAGIC_OK);
-    auto ray = sized<pelagic_ray>();
-    auto hit = sized<pelagic_hit>();
+    auto ray = pelagic_ray_make();
+    pelagic_hit hit{};
     ray.origin_m[1] = 20;
     ray.direction[1] = -1;
     ray.reach_m = 40;
@@ -74,7 +74,7 @@ TEST_F(CInterfaceReads, FrameIsReadByItsNumberUntilTheSecondScheduleAfterIt) {
 }
 
 TEST_F(CInterfaceReads, HashesOfKindsAreThoseOfTheirFunctions) {
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.foam = 1;
     const COcean foamy = ocean_of(stack_sea(2), options);
     const pelagic_frame frame = complete(foamy, 3);
@@ -101,7 +101,7 @@ TEST_F(CInterfaceReads, ParallelQueriesAreBitIdentical) {
 }
 
 TEST_F(CInterfaceReads, ToleranceOfACallReplacesThatOfTheOcean) {
-    auto options = sized<pelagic_ocean_options>();
+    auto options = pelagic_ocean_options_make();
     options.queries = 1;
     options.query_tolerance_m = 0.5;
     const COcean coarse = ocean_of(small_sea(), options);
@@ -131,7 +131,7 @@ TEST_F(CInterfaceReads, UndisplacedWaterIsWhatAQueryFindsAtItsDrawnPosition) {
     HeightsAtPoints drawn = rest;
     for (std::size_t i = 0; i < 30; ++i) drawn.x[i] += displacement[3 * i], drawn.z[i] += displacement[3 * i + 2];
     std::vector<float> velocity_y(30);
-    auto samples = sized<pelagic_samples>();
+    auto samples = pelagic_samples_make();
     samples.height_m = drawn.height.data();
     samples.velocity_y_mps = velocity_y.data();
     const pelagic_points there = drawn.points();
@@ -152,17 +152,16 @@ TEST_F(CInterfaceReads, UndisplacedWaterIsWhatAQueryFindsAtItsDrawnPosition) {
 }
 
 TEST_F(CInterfaceReads, FrameHasItsWaveHeightSeaAndDroplets) {
-    auto options = sized<pelagic_ocean_options>();
-    auto spray = sized<pelagic_spray_options>();
-    ASSERT_EQ(pelagic_spray_defaults(&spray), PELAGIC_OK);
+    auto options = pelagic_ocean_options_make();
+    auto spray = pelagic_spray_options_make();
     options.spray = &spray;
     pelagic_sea sea = stack_sea(3);
     sea.wind_speed_mps = 18;
     const COcean stormy = ocean_of(sea, options);
-    auto shown = sized<pelagic_sea>();
+    auto shown = pelagic_sea_make();
     EXPECT_EQ(pelagic_ocean_sea(stormy.get(), &shown), PELAGIC_WRONG_ORDER);
     const pelagic_frame frame = complete(stormy, 7.25);
-    auto statistics = sized<pelagic_statistics>();
+    pelagic_statistics statistics{};
     ASSERT_EQ(pelagic_sea_statistics(&sea, &statistics), PELAGIC_OK);
     EXPECT_NEAR(frame.wave_height_m, statistics.expected_wave_height_m, 1e-9);
     ASSERT_EQ(pelagic_ocean_sea(stormy.get(), &shown), PELAGIC_OK);
@@ -170,7 +169,7 @@ TEST_F(CInterfaceReads, FrameHasItsWaveHeightSeaAndDroplets) {
 
     std::vector<double> x(8192);
     std::vector<float> age(8192);
-    auto arrays = sized<pelagic_droplets>();
+    auto arrays = pelagic_droplets_make();
     arrays.room = 8192;
     arrays.x_m = x.data();
     arrays.age_s = age.data();
@@ -187,7 +186,7 @@ TEST_F(CInterfaceReads, FrameHasItsWaveHeightSeaAndDroplets) {
 TEST(CInterfaceSeas, PresetsHaveNamesAndSummaries) {
     std::vector<std::string> names;
     const char *name = nullptr, *summary = nullptr;
-    auto sea = sized<pelagic_sea>();
+    auto sea = pelagic_sea_make();
     for (std::int32_t i = 0; pelagic_preset_at(i, &name, &summary) == PELAGIC_OK; ++i) {
         EXPECT_EQ(pelagic_sea_preset(name, &sea), PELAGIC_OK) << name;
         EXPECT_GT(std::strlen(summary), 5u) << name;
@@ -201,7 +200,7 @@ TEST(CInterfaceSeas, PresetsHaveNamesAndSummaries) {
 
 TEST(CInterfaceSeas, SpectraIntegrateToTheVarianceOfTheModel) {
     const pelagic_sea sea = small_sea();
-    auto statistics = sized<pelagic_statistics>();
+    pelagic_statistics statistics{};
     ASSERT_EQ(pelagic_sea_statistics(&sea, &statistics), PELAGIC_OK);
     const double variance = statistics.model_wave_height_m * statistics.model_wave_height_m / 16;
     // From 1/8 to 32 of the peak, in steps so fine that the trapezoid rule errs by less than 1 %.
@@ -223,7 +222,7 @@ TEST(CInterfaceSeas, SpectraIntegrateToTheVarianceOfTheModel) {
 }
 
 std::string warnings_of(const pelagic_sea& sea, double largest_peak_m) {
-    auto forecast = sized<pelagic_forecast>();
+    auto forecast = pelagic_forecast_make();
     forecast.first = &sea;
     forecast.largest_peak_m = largest_peak_m;
     std::size_t count = 0;
@@ -246,9 +245,9 @@ TEST(CInterfaceSeas, WarningsNameLimitsOfASeaAndOfItsForecast) {
 TEST(CInterfaceSeas, InstructionSetsAreThoseThatAnOceanAccepts) {
     std::int32_t count = 0;
     for (; const char* isa = pelagic_isa_at(count); ++count) {
-        auto options = sized<pelagic_ocean_options>();
+        auto options = pelagic_ocean_options_make();
         options.isa = isa;
-        auto info = sized<pelagic_ocean_info>();
+        pelagic_ocean_info info{};
         ASSERT_EQ(pelagic_ocean_describe(ocean_of(small_sea(), options).get(), &info), PELAGIC_OK);
         EXPECT_STREQ(info.isa, isa);
     }
@@ -257,34 +256,36 @@ TEST(CInterfaceSeas, InstructionSetsAreThoseThatAnOceanAccepts) {
 }
 
 TEST(CInterfaceOptions, AreCheckedByTheNameOfTheirStruct) {
-    auto waves = sized<pelagic_dynamic_waves_options>();
-    ASSERT_EQ(pelagic_dynamic_waves_defaults(&waves), PELAGIC_OK);
+    auto waves = pelagic_dynamic_waves_options_make();
     EXPECT_EQ(pelagic_options_check("pelagic_dynamic_waves_options", &waves), PELAGIC_OK) << pelagic_last_error();
     waves.side_m = 0;
     expect_rejected(pelagic_options_check("pelagic_dynamic_waves_options", &waves),
                     "dynamic_waves.side_m 0 is out of range [1, 10000]");
-    auto disturbance = sized<pelagic_disturbance>();
+    auto disturbance = pelagic_disturbance_make();
+    disturbance.radius_m = 0;
     expect_rejected(pelagic_options_check("pelagic_disturbance", &disturbance),
                     "radius_m 0 is out of range [0.001, 1000]");
-    auto rain = sized<pelagic_rain>();
+    auto rain = pelagic_rain_make();
     rain.radius_m = 1;
     EXPECT_EQ(pelagic_options_check("pelagic_rain", &rain), PELAGIC_OK) << pelagic_last_error();
     rain.height_m = NAN;
     expect_rejected(pelagic_options_check("pelagic_rain", &rain), "height_m is nan, expected a finite number");
-    auto ripple = sized<pelagic_ripple>();
+    auto ripple = pelagic_ripple_make();
+    ripple.wavelength_m = 0;
     expect_rejected(pelagic_options_check("pelagic_ripple", &ripple),
                     "wavelength_m 0 is out of range [0.01, 1000]");
-    auto spray = sized<pelagic_spray_options>();
+    auto spray = pelagic_spray_options_make();
+    spray.reach_m = 0;
     expect_rejected(pelagic_options_check("pelagic_spray_options", &spray),
                     "spray.reach_m 0 is out of range [10, 200]");
-    auto emitter = sized<pelagic_spray_emitter>();
+    auto emitter = pelagic_spray_emitter_make();
     emitter.count = 9000;
     EXPECT_EQ(pelagic_options_check("pelagic_spray_emitter", &emitter), PELAGIC_INVALID_ARGUMENT);
-    auto shore = sized<pelagic_shore_options>();
+    auto shore = pelagic_shore_options_make();
     EXPECT_EQ(pelagic_options_check("pelagic_shore_options", &shore), PELAGIC_INVALID_ARGUMENT);
     // Each wave alone: together these would be too steep.
     const double amplitudes[] = {0.3, 0.3}, lengths[] = {8, 8}, directions[] = {0, 1};
-    auto gerstner = sized<pelagic_waves>();
+    auto gerstner = pelagic_waves_make();
     gerstner.count = 2;
     gerstner.amplitude_m = amplitudes;
     gerstner.wavelength_m = lengths;

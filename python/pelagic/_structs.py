@@ -17,9 +17,22 @@ if TYPE_CHECKING:
     from ._sea import Sea
 
 # Fields that Python names instead of numbering, by the constants of C.
-_NAMED_FIELDS = {"waves": "WAVES", "spectrum": "SPECTRUM", "spreading": "SPREADING", "step": "DYNAMIC_WAVES", "shape": "SHAPE", "mode": "DISTURBANCE"}
+_NAMED_FIELDS = {
+    # generated from schema/sea.toml: python-names
+    "waves": "PELAGIC_WAVES_",
+    "spectrum": "PELAGIC_SPECTRUM_",
+    "spreading": "PELAGIC_SPREADING_",
+    # end of generated
+    # generated from schema/dynamic_waves.toml: python-names
+    "step": "PELAGIC_DYNAMIC_WAVES_",
+    # end of generated
+    # generated from schema/disturbance.toml: python-names
+    "shape": "PELAGIC_SHAPE_",
+    "mode": "PELAGIC_DISTURBANCE_",
+    # end of generated
+}
 NAMES = {field: [name[len(prefix):].lower().replace("_", "-") for name in vars(c) if name.startswith(prefix)]
-         for field, prefix in ((field, f"PELAGIC_{words}_") for field, words in _NAMED_FIELDS.items())}
+         for field, prefix in _NAMED_FIELDS.items()}
 # -1 stands for a derived value in Python and C, and so does 0 in C: there, this number stands for 0.
 _NEARLY_0 = 5e-324
 _ZERO_IN_C = ("wave_height_m", "swash_m")
@@ -97,7 +110,7 @@ def sea_struct(sea: Any) -> Any:
 def sea_values(struct: Any, names: Iterable[str]) -> dict[str, Any]:
     """Returns the values of a pelagic_sea for fields of a Sea."""
     values = {name: getattr(struct, name) for name in names}
-    for name in ("waves", "spectrum", "spreading"):
+    for name in values.keys() & NAMES.keys():
         values[name] = NAMES[name][values[name]]
     if values["wave_height_m"] == 0:
         values["wave_height_m"] = -1.0

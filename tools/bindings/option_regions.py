@@ -303,6 +303,11 @@ def python_fields(schema):
     return lines
 
 
+def python_names(schema):
+    """Entries of a dictionary: the option and the prefix of its constants in C."""
+    return [f'"{option.name}": "{option.enum.c}",' for option in schema.options if option.enum]
+
+
 def javascript_number(value):
     return repr(float(value)).removesuffix(".0") if not isinstance(value, bool) else str(value).lower()
 
@@ -425,4 +430,4 @@ def number_table(schema):
 
 RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "enumeration-checks": enumeration_checks, "c-members": c_fields,
              "c-enumerations": c_enums, "c-make": c_make, "c-checks": c_checks, "c-reads": c_reads, "c-writes": c_writes,
-             "python-fields": python_fields, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table, "numbers-of-page": number_table}
+             "python-fields": python_fields, "python-names": python_names, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table, "numbers-of-page": number_table}
