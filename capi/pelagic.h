@@ -141,32 +141,20 @@ PELAGIC_API void pelagic_set_error_callback(pelagic_error_callback callback, voi
 /* ---- The sea --------------------------------------------------------------------------------- */
 
 /* generated from schema/sea.toml: c-enumerations */
+enum { PELAGIC_WAVES_SPECTRUM = 0, PELAGIC_WAVES_ANALYTIC = 1, PELAGIC_WAVES_POND = 2 };
+
 enum {
-    PELAGIC_WAVES_SPECTRUM = 0,
-    PELAGIC_WAVES_ANALYTIC = 1,
-    PELAGIC_WAVES_POND = 2
+    PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0,    /* scaled as in VR Ocean, without a swell */
+    PELAGIC_SPECTRUM_PHILLIPS = 1,          /* phillips' shape with a physical height */
+    PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2, /* A fully developed sea; no fetch */
+    PELAGIC_SPECTRUM_JONSWAP = 3            /* A sea that grows with the fetch */
 };
 
 enum {
-    /* Scaled as in VR Ocean, without a swell. */
-    PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0,
-    /* Phillips' shape with a physical height. */
-    PELAGIC_SPECTRUM_PHILLIPS = 1,
-    /* A fully developed sea; no fetch. */
-    PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2,
-    /* A sea that grows with the fetch. */
-    PELAGIC_SPECTRUM_JONSWAP = 3
-};
-
-enum {
-    /* VR Ocean, by wind_alignment. */
-    PELAGIC_SPREADING_PAPER = 0,
-    /* Measured, Longuet-Higgins et al. 1963. */
-    PELAGIC_SPREADING_COSINE_2S = 1,
-    /* Measured, Hasselmann et al. 1980. */
-    PELAGIC_SPREADING_HASSELMANN = 2,
-    /* Measured, Donelan et al. 1985 and Banner 1990. */
-    PELAGIC_SPREADING_DONELAN_BANNER = 3
+    PELAGIC_SPREADING_PAPER = 0,         /* VR Ocean, by wind_alignment */
+    PELAGIC_SPREADING_COSINE_2S = 1,     /* measured, Longuet-Higgins et al. 1963 */
+    PELAGIC_SPREADING_HASSELMANN = 2,    /* measured, Hasselmann et al. 1980 */
+    PELAGIC_SPREADING_DONELAN_BANNER = 3 /* measured, Donelan et al. 1985 and Banner 1990 */
 };
 /* end of generated */
 
@@ -245,12 +233,7 @@ static inline pelagic_sea pelagic_sea_make(void) {
  *   "analytic-intense", or "beaufort-0" to "beaufort-12". */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
-/* Writes name and summary, one line each, of a preset.
- *
- * index: from 0, the mildest preset, on; beaufort-0 to beaufort-12 are the last.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT beyond the last preset.
- * Threads: any. */
+/* Writes name and summary, one line each, of a preset; `index` counts from 0, the mildest. Beaufort's are last. */
 PELAGIC_API pelagic_status pelagic_preset_at(int32_t index, const char** name, const char** summary);
 
 /* Checks the values of a sea.
@@ -285,25 +268,16 @@ typedef struct pelagic_statistics {
 /* Computes statistics of a sea that pelagic_sea_check() accepts, which takes as long as creating an ocean of it. */
 PELAGIC_API pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics* statistics);
 
-/* Computes the spectrum of the model, integrated over all directions and regardless of the cascades.
- * It is 0 for analytic waves and ponds, whose spectra are lines.
- *
+/* Computes the spectrum of the model, integrated over all directions and regardless of the cascades. It is 0 for
+ * analytic waves and ponds, whose spectra are lines.
  * at: `count` frequencies in Hz or, if `is_by_wave_number` is not 0, wave numbers in rad/m; (0, 1e9).
- * energy: receives `count` values, in m^2/Hz or m^3.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a value out of range, and as pelagic_sea_check().
- * Threads: any. */
+ * energy: receives `count` values, in m^2/Hz or m^3. */
 PELAGIC_API pelagic_status pelagic_sea_spectrum(const pelagic_sea* sea, int32_t is_by_wave_number, const double* at,
                                                 size_t count, double* energy);
 
-/* Checks options, as the functions that take them do. Rain is also checked against its grid later.
- *
- * type: name of the struct: "pelagic_dynamic_waves_options", "pelagic_disturbance", "pelagic_rain",
- *   "pelagic_ripple", "pelagic_waves" (each wave alone), "pelagic_shore_options",
- *   "pelagic_spray_options" or "pelagic_spray_emitter".
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for another name and an invalid value, whose field is named first.
- * Threads: any. */
+/* Checks options as the functions that take them do; rain later also against its grid. `type` is the struct's name:
+ * "pelagic_" and "dynamic_waves_options", "disturbance", "rain", "ripple", "waves" (each wave alone), "shore_options",
+ * "spray_options" or "spray_emitter". The message names the first invalid field. */
 PELAGIC_API pelagic_status pelagic_options_check(const char* type, const void* options);
 
 /* ---- Executors ------------------------------------------------------------------------------- */
@@ -419,11 +393,8 @@ typedef struct pelagic_ocean_options {
 } pelagic_ocean_options;
 static inline pelagic_ocean_options pelagic_ocean_options_make(void) { PELAGIC_MAKE(pelagic_ocean_options); }
 
-/* Returns the name of an instruction set for pelagic_ocean_options.isa, or NULL.
- *
- * index: from 0, the narrowest that the CPU supports, on.
- *
- * Threads: any. */
+/* Returns the name of an instruction set for pelagic_ocean_options.isa, or NULL; `index` counts from 0, the narrowest
+ * that the CPU supports. */
 PELAGIC_API const char* pelagic_isa_at(int32_t index);
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -675,13 +646,7 @@ enum {
     PELAGIC_HASH_SPRAY = 4
 };
 
-/* Computes one of the hashes of a frame.
- *
- * frame: as pelagic_points.frame.
- * kind: PELAGIC_HASH_...
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for what the ocean was made without; PELAGIC_WRONG_ORDER as
- *   pelagic_ocean_query().
+/* Computes one of the hashes of a frame, PELAGIC_HASH_...; `frame` as pelagic_points.frame.
  * Threads: any. */
 PELAGIC_API pelagic_status pelagic_ocean_frame_hash(const pelagic_ocean* ocean, uint64_t frame, int32_t kind,
                                                     uint64_t* hash);
@@ -741,21 +706,11 @@ static inline pelagic_forecast pelagic_forecast_make(void) { PELAGIC_MAKE(pelagi
 PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast* forecast,
                                                          const pelagic_ocean_options* options, pelagic_ocean** ocean);
 
-/* Writes the sea of the frame completed last, which lies between two seas during a change.
- *
- * Errors: PELAGIC_WRONG_ORDER before the first frame.
- * Threads: one thread per ocean. */
+/* Writes the sea of the frame completed last, which lies between two seas during a change. */
 PELAGIC_API pelagic_status pelagic_ocean_sea(const pelagic_ocean* ocean, pelagic_sea* sea);
 
-/* Writes warnings about the first sea, and about cascades that largest_peak_m makes too coarse. Takes
- * as long as creating an ocean.
- *
- * text: receives lines and a final 0; NULL to obtain only the count.
- * room: size of `text`.
- * count: receives the number of bytes, at least 1.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for an invalid forecast, and if `room` is too small.
- * Threads: any. */
+/* Writes warnings about the first sea, and about cascades that largest_peak_m makes too coarse, as lines and a final
+ * 0. Takes as long as creating an ocean. `text` may be NULL; `room` is its size; `count` receives the bytes. */
 PELAGIC_API pelagic_status pelagic_forecast_warnings(const pelagic_forecast* forecast, char* text, size_t room,
                                                      size_t* count);
 
@@ -812,8 +767,7 @@ static inline pelagic_dynamic_waves_options pelagic_dynamic_waves_options_make(v
 
 /* generated from schema/disturbance.toml: c-enumerations */
 enum {
-    /* height_m exp(-(r / radius_m)^2), cut off at 3 radii. */
-    PELAGIC_SHAPE_GAUSS = 0,
+    PELAGIC_SHAPE_GAUSS = 0, /* height_m exp(-(r / radius_m)^2), cut off at 3 radii */
     /* height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2) within that ellipse; height_m of a floating
      * hull is below 0. */
     PELAGIC_SHAPE_HULL = 1
@@ -827,8 +781,7 @@ enum {
     /* The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the difference, times the
      * shape over its height. The bulge is bounded, and its volume is added to the water. */
     PELAGIC_DISTURBANCE_RELAXATION = 1,
-    /* The shape is added to the surface at once: a drop, a stone. */
-    PELAGIC_DISTURBANCE_IMPULSE = 2,
+    PELAGIC_DISTURBANCE_IMPULSE = 2, /* the shape is added to the surface at once: a drop, a stone */
     /* Adds the foam that waves as high as the shape have, and no waves: water that a hull or a propeller breaks. */
     PELAGIC_DISTURBANCE_FOAM = 3
 };
@@ -1293,15 +1246,11 @@ static inline pelagic_samples pelagic_samples_make(void) { PELAGIC_MAKE(pelagic_
 PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                                const pelagic_samples* samples);
 
-/* Samples the water at undisplaced positions, for meshes that move with it.
- *
- * points: of the water's frame, each in [-1e9, 1e9]; only count, x, z and frame are used.
- * displacement_m: receives x, y and z of each point, with dynamic waves and a shore; may be NULL.
- * velocity_mps: receives x, y and z of each point; may be NULL.
+/* Samples the water at undisplaced positions of the water's frame, each in [-1e9, 1e9], for meshes that move with it.
+ * points: only count, x, z and frame are used.
+ * displacement_m, velocity_mps: receive x, y and z of each point, with dynamic waves and a shore; may be NULL.
  * foam: receives a value for each point, as pelagic_samples.foam; may be NULL.
- *
- * Errors: PELAGIC_INVALID_ARGUMENT for a position out of range, with textures_only, and for velocities
- *   or foam that the ocean was made without; PELAGIC_WRONG_ORDER as pelagic_ocean_query().
+ * Errors: also with textures_only; PELAGIC_WRONG_ORDER as pelagic_ocean_query().
  * Threads: any. The call allocates nothing and never waits. */
 PELAGIC_API pelagic_status pelagic_ocean_sample_undisplaced(const pelagic_ocean* ocean, const pelagic_points* points,
                                                             double* displacement_m, float* velocity_mps, float* foam);

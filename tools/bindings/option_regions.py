@@ -218,14 +218,15 @@ def c_enums(schema):
     for enum in schema.enums:
         lines += [""] if lines else []
         if not any(text for _, text in enum.values):
-            values = [f"{name} = {i}" for i, name in enumerate(enum.c_values())]
-            lines += ["enum {"] + [f"    {value}," for value in values[:-1]] + [f"    {values[-1]}", "};"]
+            lines.append(f"enum {{ {', '.join(f'{name} = {i}' for i, name in enumerate(enum.c_values()))} }};")
             continue
         lines.append("enum {")
+        values = []
         for i, ((_, text), name) in enumerate(zip(enum.values, enum.c_values())):
             comma = "," if i + 1 < len(enum.values) else ""
-            lines += ["    " + line for line in c_comment(named(text[0].upper() + text[1:].rstrip("."), str) + ".")] + [f"    {name} = {i}{comma}"]
-        lines.append("};")
+            about = named(text[0].upper() + text[1:].rstrip("."), str) + "."
+            values += with_comment(f"{name} = {i}{comma}", about, f" /* {beside(about)} */", c_comment(about), C_WIDTH)
+        lines += ["    " + line for line in aligned(values, " /* ")] + ["};"]
     return lines
 
 

@@ -31,25 +31,25 @@ namespace Pelagic
 
     public enum Spectrum
     {
-        /// <summary>Scaled as in VR Ocean, without a swell.</summary>
+        /// <summary>scaled as in VR Ocean, without a swell</summary>
         PhillipsPaper = 0,
-        /// <summary>Phillips' shape with a physical height.</summary>
+        /// <summary>phillips' shape with a physical height</summary>
         Phillips = 1,
-        /// <summary>A fully developed sea; no fetch.</summary>
+        /// <summary>A fully developed sea; no fetch</summary>
         PiersonMoskowitz = 2,
-        /// <summary>A sea that grows with the fetch.</summary>
+        /// <summary>A sea that grows with the fetch</summary>
         Jonswap = 3,
     }
 
     public enum Spreading
     {
-        /// <summary>VR Ocean, by WindAlignment.</summary>
+        /// <summary>VR Ocean, by WindAlignment</summary>
         Paper = 0,
-        /// <summary>Measured, Longuet-Higgins et al. 1963.</summary>
+        /// <summary>measured, Longuet-Higgins et al. 1963</summary>
         Cosine2s = 1,
-        /// <summary>Measured, Hasselmann et al. 1980.</summary>
+        /// <summary>measured, Hasselmann et al. 1980</summary>
         Hasselmann = 2,
-        /// <summary>Measured, Donelan et al. 1985 and Banner 1990.</summary>
+        /// <summary>measured, Donelan et al. 1985 and Banner 1990</summary>
         DonelanBanner = 3,
     }
 
@@ -100,7 +100,7 @@ namespace Pelagic
 
     public enum Shape
     {
-        /// <summary>HeightM exp(-(r / RadiusM)^2), cut off at 3 radii.</summary>
+        /// <summary>HeightM exp(-(r / RadiusM)^2), cut off at 3 radii</summary>
         Gauss = 0,
         /// <summary>
         /// HeightM sqrt(1 - (along / LengthM)^2 - (across / RadiusM)^2) within that ellipse; HeightM of a floating
@@ -122,7 +122,7 @@ namespace Pelagic
         /// shape over its height. The bulge is bounded, and its volume is added to the water.
         /// </summary>
         Relaxation = 1,
-        /// <summary>The shape is added to the surface at once: a drop, a stone.</summary>
+        /// <summary>the shape is added to the surface at once: a drop, a stone</summary>
         Impulse = 2,
         /// <summary>
         /// Adds the foam that waves as high as the shape have, and no waves: water that a hull or a propeller breaks.
