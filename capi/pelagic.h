@@ -145,9 +145,9 @@ enum { PELAGIC_WAVES_SPECTRUM = 0, PELAGIC_WAVES_ANALYTIC = 1, PELAGIC_WAVES_PON
 
 enum {
     PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0,    /* scaled as in VR Ocean, without a swell */
-    PELAGIC_SPECTRUM_PHILLIPS = 1,          /* phillips' shape with a physical height */
-    PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2, /* A fully developed sea; no fetch */
-    PELAGIC_SPECTRUM_JONSWAP = 3            /* A sea that grows with the fetch */
+    PELAGIC_SPECTRUM_PHILLIPS = 1,          /* Phillips' shape with a physical height */
+    PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2, /* a fully developed sea; no fetch */
+    PELAGIC_SPECTRUM_JONSWAP = 3            /* a sea that grows with the fetch */
 };
 
 enum {
@@ -162,9 +162,9 @@ enum {
 typedef struct pelagic_sea {
     uint32_t struct_size;
     /* generated from schema/sea.toml: c-members */
-    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, short_wave_cutoff,
-     * wind_alignment, the swell and seed. Only the other models use wave_count and the options after it. All models
-     * use the wind, whose direction is that of their waves. */
+    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m,
+     * short_wave_cutoff, wind_alignment, the swell and seed. Only the other models use wave_count and the options
+     * after it. All models use the wind, whose direction is that of their waves. */
     int32_t waves;
     int32_t spectrum; /* PELAGIC_SPECTRUM_...; wave spectrum */
     /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper accepts only paper. */
@@ -190,13 +190,13 @@ typedef struct pelagic_sea {
     /* Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6 of it break. */
     double depth_m;
     double choppiness; /* scale of horizontal displacements; [0, 1]. 0 gives a height field */
-    /* GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the cascades
-     * do not resolve in this wind. */
+    /* GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the
+     * cascades do not resolve in this wind. */
     double roughness;
     /* 0 keeps short waves, 1 removes waves shorter than a quarter of the peak wavelength; [0, 1]. */
     double short_wave_cutoff;
-    /* Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1]. With 0 a third
-     * of the energy runs against the wind and little across it; with 1 a hundredth runs against it. */
+    /* Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1]. With 0 a
+     * third of the energy runs against the wind and little across it; with 1 a hundredth runs against it. */
     double wind_alignment;
     /* Significant wave height of a swell, in addition to the waves of the wind; [0, 30]. 0: no swell. */
     double swell_height_m;
@@ -276,7 +276,7 @@ PELAGIC_API pelagic_status pelagic_sea_spectrum(const pelagic_sea* sea, int32_t 
                                                 size_t count, double* energy);
 
 /* Checks options as the functions that take them do; rain later also against its grid. `type` is the struct's name:
- * "pelagic_" and "dynamic_waves_options", "disturbance", "rain", "ripple", "waves" (each wave alone), "shore_options",
+ * "pelagic_" and "dynamic_waves_options", "disturbance", "rain", "ripple", "waves" (each alone), "shore_options",
  * "spray_options" or "spray_emitter". The message names the first invalid field. */
 PELAGIC_API pelagic_status pelagic_options_check(const char* type, const void* options);
 
@@ -727,10 +727,10 @@ PELAGIC_API pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, c
 
 /* generated from schema/dynamic_waves.toml: c-enumerations */
 enum {
-    /* Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at any length of a
-     * tick; wakes have Kelvin's angle. */
+    /* Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at any length of
+     * a tick; wakes have Kelvin's angle. */
     PELAGIC_DYNAMIC_WAVES_SPECTRAL = 0,
-    /* H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4: one speed for all
+    /* h' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4: one speed for all
      * waves, for ponds and rings. */
     PELAGIC_DYNAMIC_WAVES_VERLET = 1
 };
@@ -747,8 +747,9 @@ typedef struct pelagic_dynamic_waves_options {
     double side_m;       /* side of the grid; [1, 10000] */
     /* Width of the absorbing border along each side; [0.001, side_m / 4]. 0: no border, and waves wrap around. */
     double border_m;
-    double depth_m;        /* depth of the water (spectral); [0.01, 11000] */
-    double viscosity_m2ps; /* eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1] */
+    double depth_m; /* depth of the water (spectral); [0.01, 11000] */
+    /* Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1]. */
+    double viscosity_m2ps;
     /* Speed of all waves, with (speed / (ticks_per_s texel))^2 at most 0.4 (verlet); (0, 1000]. */
     double wave_speed_mps;
     double decay_per_s;   /* decay rate of amplitudes; [0, 10] */
@@ -775,11 +776,11 @@ enum {
 
 enum {
     /* A pressure, or suction, equal to the weight of the shape's water: at rest the surface becomes the shape and
-     * stays so, and a moving one leaves the waves of a moving pressure (Havelock 1908). The volume of the water is
-     * constant. */
+     * stays so, and a moving one leaves the waves of a moving pressure (Havelock 1908). The volume of the water
+     * is constant. */
     PELAGIC_DISTURBANCE_PRESSURE = 0,
-    /* The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the difference, times the
-     * shape over its height. The bulge is bounded, and its volume is added to the water. */
+    /* The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the difference, times
+     * the shape over its height. The bulge is bounded, and its volume is added to the water. */
     PELAGIC_DISTURBANCE_RELAXATION = 1,
     PELAGIC_DISTURBANCE_IMPULSE = 2, /* the shape is added to the surface at once: a drop, a stone */
     /* Adds the foam that waves as high as the shape have, and no waves: water that a hull or a propeller breaks. */
@@ -879,8 +880,8 @@ typedef struct pelagic_rain {
     uint32_t seed; /* seed of the drops */
     /* Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number. 0: no rain. */
     double drops_per_m2_s;
-    /* Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel is a texel wide
-     * on the grid, flatter and with equal volume. */
+    /* Radius of the crater at the rest level; [0.001, side_m / 16]. A crater narrower than a texel is a texel
+     * wide on the grid, flatter and with equal volume. */
     double radius_m;
     double height_m; /* depth of a crater; [-10, 10] */
     /* end of generated */
@@ -1043,15 +1044,15 @@ typedef struct pelagic_shore_options {
     /* generated from schema/shore.toml: c-members */
     int32_t columns;               /* samples of the floor along x; 2 to 4096 */
     int32_t rows;                  /* samples of the floor along z; 2 to 4096 */
-    int32_t resolution;            /* texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024 */
+    int32_t resolution;            /* texels along the longer side of the shore; 64, 128, 256, 512 or 1024 */
     double corner_x_m, corner_z_m; /* position of the first sample; [-1e8, 1e8] */
     double metres_per_sample;      /* distance of neighbouring samples; [0.001, 10000] */
     /* Width of the strip along the edges over which the coarsest cascade fades into waves over the floor;
      * [0, half the field's shorter side]. 0: an eighth of the shorter side. */
     double fade_m;
-    /* Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0: the height that 2
-     * % of the waves reach by Stockdon et al. 2006, from the sea's significant wave height and peak period and the
-     * median slope at the waterline. Waves in the water do not depend on it. */
+    /* Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0: the height that
+     * 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant wave height and peak period and
+     * the median slope at the waterline. Waves in the water do not depend on it. */
     double swash_m;
     /* end of generated */
     /* columns * rows heights above the rest level, [-11000, 9000]; sample (i, j) is element j * columns + i. Read

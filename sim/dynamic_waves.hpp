@@ -34,7 +34,7 @@ enum class DynamicWavesStep {
     /// Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable
     /// at any length of a tick; wakes have Kelvin's angle.
     spectral,
-    /// H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4:
+    /// h' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4:
     /// one speed for all waves, for ponds and rings.
     verlet,
 };

@@ -28,7 +28,7 @@ struct ShoreOptions {
     // generated from schema/shore.toml: members after rows
     double corner_x_m = 0, corner_z_m = 0;  ///< position of the first sample; [-1e8, 1e8]
     double metres_per_sample = 1;           ///< distance of neighbouring samples; [0.001, 10000]
-    /// Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024.
+    /// Texels along the longer side of the shore; 64, 128, 256, 512 or 1024.
     int resolution = 256;
     /// Width of the strip along the edges over which the coarsest cascade fades into waves over the
     /// floor; [0, half the field's shorter side]. 0: an eighth of the shorter side.

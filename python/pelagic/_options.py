@@ -178,7 +178,7 @@ class ShoreOptions:
     metres_per_sample: float = 1.0
     """Distance of neighbouring samples; [0.001, 10000]."""
     resolution: int = 256
-    """Texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024."""
+    """Texels along the longer side of the shore; 64, 128, 256, 512 or 1024."""
     fade_m: float = 0.0
     """Width of the strip along the edges over which the coarsest cascade fades into waves over the
     floor; [0, half the field's shorter side]. 0: an eighth of the shorter side."""

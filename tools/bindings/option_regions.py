@@ -7,7 +7,7 @@ from schema import UNITS, number_of
 
 CPP_TYPES = {"double": "double", "float": "float", "int": "int", "uint32": "std::uint32_t", "bool": "bool"}
 C_TYPES = {"double": "double", "float": "float", "int": "int32_t", "uint32": "uint32_t", "bool": "int32_t", "enum": "int32_t"}
-COMMENT_WIDTH, C_WIDTH, CODE_WIDTH = 96, 112, 114
+COMMENT_WIDTH, C_WIDTH, CODE_WIDTH = 96, 110, 114
 
 
 def named(text, name_of):
@@ -22,8 +22,7 @@ def camel_case(name):
 
 def description(option, also=None, values=""):
     """The sentences about an option: what it is; its range. What its default stands for, and more."""
-    text = named(option.text, str)
-    text = text[0].upper() + text[1:] + values
+    text = named(option.text, str) + values
     if option.type not in ("enum", "bool", "uint32"):
         text += "; " + named(option.in_descriptions(), str)
     text += "."
@@ -65,7 +64,7 @@ def cpp_fields(schema):
     options = [option for option in schema.options if option.is_in("C++")]
     for (type_, text), alike in itertools.groupby(options, lambda option: (cpp_type(option), description(option))):
         member = f"{type_} {', '.join(f'{option.name} = {cpp_default(option)}' for option in alike)};"
-        lines += with_comment(member, text, f"  ///< {beside(text)}", wrapped(text, "/// "))
+        lines += with_comment(member, text, f"  ///< {of_member(text)}", wrapped(sentence(text), "/// "))
     return aligned(lines, "  ///< ")
 
 
@@ -79,9 +78,14 @@ def aligned(lines, mark):
     return result
 
 
-def beside(text):
-    """A description as it stands on the line of its member: without capital and full stop."""
-    return (text[0].lower() if text[1].islower() else text[0]) + text[1:].rstrip(".")
+def sentence(text):
+    """A text with a capital, unless it begins with a formula, and a full stop."""
+    return (text[0].upper() if re.match(r"[a-z]+[ ,:;]", text) else text[0]) + text[1:].rstrip(".") + "."
+
+
+def of_member(text):
+    """A description as it stands on the line of its member."""
+    return text.rstrip(".")
 
 
 def with_comment(member, text, after, above, width=COMMENT_WIDTH):
@@ -132,7 +136,7 @@ def cpp_enums(schema):
         if any(text for _, text in enum.values):
             lines.append(f"enum class {enum.name} {{")
             for (_, text), value in zip(enum.values, enum.cpp_values()):
-                lines += ["    " + line for line in wrapped(named(text[0].upper() + text[1:].rstrip("."), str) + ".", "/// ")] + [f"    {value},"]
+                lines += ["    " + line for line in wrapped(sentence(named(text, str)), "/// ")] + [f"    {value},"]
             lines.append("};")
         else:
             lines.append(f"enum class {enum.name} {{ {', '.join(enum.cpp_values())} }};")
@@ -204,13 +208,13 @@ def c_fields(schema):
     lines = []
     for (type_, text), options in itertools.groupby(c_options(schema), lambda option: (C_TYPES[option.type], c_description(option))):
         member = f"{type_} {', '.join(option.name for option in options)};"
-        lines += with_comment(member, text, f" /* {beside(text)} */", c_comment(text), C_WIDTH)
+        lines += with_comment(member, text, f" /* {of_member(text)} */", c_comment(sentence(text)), C_WIDTH)
     return aligned(lines, " /* ")
 
 
 def c_description(option):
     text = description(option, also=c_default_of(option) if option.derived_value is None else None)
-    return f"{option.enum.c}...; " + text[0].lower() + text[1:] if option.enum else text
+    return f"{option.enum.c}...; {text}" if option.enum else text
 
 
 def c_enums(schema):
@@ -224,8 +228,8 @@ def c_enums(schema):
         values = []
         for i, ((_, text), name) in enumerate(zip(enum.values, enum.c_values())):
             comma = "," if i + 1 < len(enum.values) else ""
-            about = named(text[0].upper() + text[1:].rstrip("."), str) + "."
-            values += with_comment(f"{name} = {i}{comma}", about, f" /* {beside(about)} */", c_comment(about), C_WIDTH)
+            about = named(text, str)
+            values += with_comment(f"{name} = {i}{comma}", about, f" /* {of_member(about)} */", c_comment(sentence(about)), C_WIDTH)
         lines += ["    " + line for line in aligned(values, " /* ")] + ["};"]
     return lines
 
@@ -298,7 +302,7 @@ def python_fields(schema):
         if not option.is_in("Python"):
             continue
         words = [f'"{name}"' + (f" ({named(about, str).rstrip('.')})" if about else "") for name, about in option.enum.values] if option.enum else []
-        text = description(option, values=": " + ", ".join(words) if words else "")
+        text = sentence(description(option, values=": " + ", ".join(words) if words else ""))
         lines.append(f"{option.name}: {PYTHON_TYPES[option.type]} = {python_default(option)}")
         lines += wrapped('"""' + text + '"""', "")
     return lines
@@ -315,8 +319,7 @@ def javascript_number(value):
 
 def typescript_text(option):
     """What it is, unit: range. More. Default."""
-    text = named(option.text, camel_case)
-    text = text[0].upper() + text[1:]
+    text = sentence(named(option.text, camel_case)).removesuffix(".")
     if option.enum:
         text += "." + "".join(f' "{name}": {named(about, camel_case).rstrip(".")}.' for name, about in option.enum.values if about)
     elif option.type == "bool":
@@ -364,7 +367,7 @@ def blender_name(option):
 def blender_property(option, label_of):
     """The class of a property and its arguments."""
     if option.enum:
-        items = [f'    ("{name}", "{name}", "{named(text[:1].upper() + text[1:], label_of)}", {i}),' for i, (name, text) in enumerate(option.enum.values)]
+        items = [f'    ("{name}", "{name}", "{sentence(named(text, label_of)).removesuffix(".")}", {i}),' for i, (name, text) in enumerate(option.enum.values)]
         return "EnumProperty", [f'default="{option.default}", items=(', *items[:-1], items[-1].rstrip(",") + "),"]
     low, high = (number_of(limit) for limit in option.limits()[:2]) if option.type != "uint32" else (0, 0)
     low = min(low, 0) if option.derived else option.blender.get("min", low)
@@ -390,8 +393,7 @@ def blender_properties(schema):
     lines = []
     for option in blender_options(schema):
         kind, arguments = blender_property(option, label_of)
-        text = named(option.blender.get("text", option.text), label_of)
-        text = text[0].upper() + text[1:]
+        text = sentence(named(option.blender.get("text", option.text), label_of)).removesuffix(".")
         if option.derived and kind != "EnumProperty":
             text += f"; 0: {named(option.derivation, label_of)}" if c_default_of(option) == 0 else ""
         lines += [f"{blender_name(option)}: {kind}(", f'    name="{option.blender["label"]}", update=changed,']

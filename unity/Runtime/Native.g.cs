@@ -33,11 +33,11 @@ namespace Pelagic
     {
         /// <summary>scaled as in VR Ocean, without a swell</summary>
         PhillipsPaper = 0,
-        /// <summary>phillips' shape with a physical height</summary>
+        /// <summary>Phillips' shape with a physical height</summary>
         Phillips = 1,
-        /// <summary>A fully developed sea; no fetch</summary>
+        /// <summary>a fully developed sea; no fetch</summary>
         PiersonMoskowitz = 2,
-        /// <summary>A sea that grows with the fetch</summary>
+        /// <summary>a sea that grows with the fetch</summary>
         Jonswap = 3,
     }
 
@@ -87,12 +87,12 @@ namespace Pelagic
     public enum DynamicWavesKind
     {
         /// <summary>
-        /// Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at any length of a
-        /// tick; wakes have Kelvin's angle.
+        /// Advances each wave by its own phase: the exact dispersion of deep or shallow water, stable at any length of
+        /// a tick; wakes have Kelvin's angle.
         /// </summary>
         Spectral = 0,
         /// <summary>
-        /// H' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 &lt;= 0.4: one speed for all
+        /// h' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 &lt;= 0.4: one speed for all
         /// waves, for ponds and rings.
         /// </summary>
         Verlet = 1,
@@ -113,13 +113,13 @@ namespace Pelagic
     {
         /// <summary>
         /// A pressure, or suction, equal to the weight of the shape's water: at rest the surface becomes the shape and
-        /// stays so, and a moving one leaves the waves of a moving pressure (Havelock 1908). The volume of the water is
-        /// constant.
+        /// stays so, and a moving one leaves the waves of a moving pressure (Havelock 1908). The volume of the water
+        /// is constant.
         /// </summary>
         Pressure = 0,
         /// <summary>
-        /// The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the difference, times the
-        /// shape over its height. The bulge is bounded, and its volume is added to the water.
+        /// The surface approaches the shape: a tick removes the fraction 1 - e^(-rate tick) of the difference, times
+        /// the shape over its height. The bulge is bounded, and its volume is added to the water.
         /// </summary>
         Relaxation = 1,
         /// <summary>the shape is added to the surface at once: a drop, a stone</summary>
@@ -147,9 +147,9 @@ namespace Pelagic
     {
         internal uint struct_size;
         /// <summary>
-        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, DepthM, ShortWaveCutoff,
-        /// WindAlignment, the swell and seed. Only the other models use WaveCount and the options after it. All models
-        /// use the wind, whose direction is that of their waves.
+        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, DepthM,
+        /// ShortWaveCutoff, WindAlignment, the swell and seed. Only the other models use WaveCount and the options
+        /// after it. All models use the wind, whose direction is that of their waves.
         /// </summary>
         public WavesKind Waves;
         /// <summary>Spectrum; wave spectrum</summary>
@@ -196,8 +196,8 @@ namespace Pelagic
         /// <summary>scale of horizontal displacements; [0, 1]. 0 gives a height field</summary>
         public double Choppiness;
         /// <summary>
-        /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the cascades
-        /// do not resolve in this wind.
+        /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the
+        /// cascades do not resolve in this wind.
         /// </summary>
         public double Roughness;
         /// <summary>
@@ -205,8 +205,8 @@ namespace Pelagic
         /// </summary>
         public double ShortWaveCutoff;
         /// <summary>
-        /// Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1]. With 0 a third
-        /// of the energy runs against the wind and little across it; with 1 a hundredth runs against it.
+        /// Alignment of waves with the wind, alpha of equations 6 to 9, for the spreading paper; [0, 1]. With 0 a
+        /// third of the energy runs against the wind and little across it; with 1 a hundredth runs against it.
         /// </summary>
         public double WindAlignment;
         /// <summary>
@@ -355,7 +355,7 @@ namespace Pelagic
         public double BorderM;
         /// <summary>depth of the water (spectral); [0.01, 11000]</summary>
         public double DepthM;
-        /// <summary>eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1]</summary>
+        /// <summary>Eddy viscosity nu, which damps amplitudes at the rate 2 nu k^2 (spectral); [0, 1].</summary>
         public double ViscosityM2ps;
         /// <summary>Speed of all waves, with (speed / (TicksPerS texel))^2 at most 0.4 (verlet); (0, 1000].</summary>
         public double WaveSpeedMps;
@@ -409,8 +409,8 @@ namespace Pelagic
         /// </summary>
         public double DropsPerM2S;
         /// <summary>
-        /// Radius of the crater at the rest level; [0.001, SideM / 16]. A crater narrower than a texel is a texel wide
-        /// on the grid, flatter and with equal volume.
+        /// Radius of the crater at the rest level; [0.001, SideM / 16]. A crater narrower than a texel is a texel
+        /// wide on the grid, flatter and with equal volume.
         /// </summary>
         public double RadiusM;
         /// <summary>depth of a crater; [-10, 10]</summary>
@@ -744,7 +744,7 @@ namespace Pelagic
         public int Columns;
         /// <summary>samples of the floor along z; 2 to 4096</summary>
         public int Rows;
-        /// <summary>texels along the longer side of the shore in frames; 64, 128, 256, 512 or 1024</summary>
+        /// <summary>texels along the longer side of the shore; 64, 128, 256, 512 or 1024</summary>
         public int Resolution;
         /// <summary>position of the first sample; [-1e8, 1e8]</summary>
         public double CornerXM;
@@ -758,9 +758,9 @@ namespace Pelagic
         /// </summary>
         public double FadeM;
         /// <summary>
-        /// Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0: the height that 2
-        /// % of the waves reach by Stockdon et al. 2006, from the sea's significant wave height and peak period and the
-        /// median slope at the waterline. Waves in the water do not depend on it.
+        /// Maximum height above still water that waves reach on dry sand, with the set-up; [0, 10]. 0: the height that
+        /// 2 % of the waves reach by Stockdon et al. 2006, from the sea's significant wave height and peak period and
+        /// the median slope at the waterline. Waves in the water do not depend on it.
         /// </summary>
         public double SwashM;
 

@@ -213,7 +213,7 @@ export interface DynamicWavesOptions {
 export interface Disturbance {
   // generated from schema/disturbance.toml: properties
   /**
-   * Shape. "gauss": heightM exp(-(r / radiusM)^2), cut off at 3 radii. "hull": heightM sqrt(1 -
+   * shape. "gauss": heightM exp(-(r / radiusM)^2), cut off at 3 radii. "hull": heightM sqrt(1 -
    * (along / lengthM)^2 - (across / radiusM)^2) within that ellipse; heightM of a floating hull
    * is below 0. Default "gauss".
    */
@@ -352,9 +352,7 @@ export interface ShoreOptions {
   cornerZM?: number;
   /** Distance of neighbouring samples: [0.001, 10000]. Default 1. */
   metresPerSample?: number;
-  /**
-   * Texels along the longer side of the shore in frames: 64, 128, 256, 512 or 1024. Default 256.
-   */
+  /** Texels along the longer side of the shore: 64, 128, 256, 512 or 1024. Default 256. */
   resolution?: number;
   /**
    * Width of the strip along the edges over which the coarsest cascade fades into waves over the
@@ -380,7 +378,7 @@ export interface AnalyticWave {
    * [0, 100]. Default 0.
    */
   amplitudeM?: number;
-  /** Wavelength, metres: [0.01, 1000]. Default 10. */
+  /** wavelength, metres: [0.01, 1000]. Default 10. */
   wavelengthM?: number;
   /** Direction of travel, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0. */
   directionRad?: number;
@@ -392,11 +390,11 @@ export interface AnalyticWave {
 /** Rings around a point, which repeat with the side of the cascade that holds them. */
 export interface Ripple {
   // generated from schema/ripple.toml: properties
-  /** Centre, metres: [-1e8, 1e8]. Default 0. */
+  /** centre, metres: [-1e8, 1e8]. Default 0. */
   xM?: number;
-  /** Centre, metres: [-1e8, 1e8]. Default 0. */
+  /** centre, metres: [-1e8, 1e8]. Default 0. */
   zM?: number;
-  /** Wavelength, metres: [0.01, 1000]. Default 1. */
+  /** wavelength, metres: [0.01, 1000]. Default 1. */
   wavelengthM?: number;
   /**
    * Amplitude at the centre, at most wavelengthM / (2 pi), a slope of 1, metres: [0, 100].
