@@ -161,10 +161,11 @@ TEST(ExportFromRecord, KeepsEachOptionOfExport) {
             ADD_FAILURE() << "is it in options_as_json() and in export_from_record.cpp? Then give this test a value";
             continue;
         }
-        Words words = with_events_of(folder.path(), of_sea ? *of_sea : other_values.at(name));
+        const Words another = of_sea ? *of_sea : other_values.at(name);
+        Words words = with_events_of(folder.path(), another);
         words.insert(words.end(), {"--out", folder.path().string()});
         EXPECT_NE(options_as_json(options_of(words)), usual) << "the record does not hold it";
-        expect_round_trip(other_values.at(name));
+        expect_round_trip(another);
     }
 }
 
