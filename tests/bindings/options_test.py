@@ -4,15 +4,22 @@ to a schema exists in each language.
 
 usage: options_test.py SOURCE C_COMPILER CXX_COMPILER
 """
+import ctypes
 import pathlib
-import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 
 SOURCE, CC, CXX = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+sys.path.insert(0, str(SOURCE / "tools/bindings"))
+sys.dont_write_bytecode = True
+
+import c_header  # noqa: E402
+import python_layouts  # noqa: E402
+
 FOLDERS = ("schema", "sim", "message", "simd", "analytic", "capi", "floating", "gl/sky", "jobs", "quadtree", "python/pelagic",
            "tools/options", "tools/bindings", "web/package", "docs/sea-state.md")
 MADE_UP = """
@@ -159,6 +166,22 @@ int main(void) {
         text = (self.tree / "python/pelagic/_sea.py").read_text()
         self.assertRegex(text, r'(?m)^    made_up_m: float = 2\.5$')
         self.assertRegex(text, r'(?m)^    made_up_model: str = "hasselmann"$')
+        layouts = {}
+        exec(python_layouts.write(c_header.read_header((self.tree / "pelagic.h").read_text())), layouts)
+        sea = layouts["make"](layouts["pelagic_sea"])
+        self.assertEqual((sea.made_up_m, sea.made_up_model), (2.5, layouts["PELAGIC_SPREADING_HASSELMANN"]))
+        sea.made_up_m = 3
+        bytes_of_c = self.run_program(CC, "layout.c", """
+#include <stddef.h>
+#include <stdio.h>
+#include "pelagic/pelagic.h"
+int main(void) {
+    printf("%zu %zu %zu", sizeof(pelagic_sea), offsetof(pelagic_sea, made_up_m), offsetof(pelagic_sea, made_up_model));
+    return 0;
+}
+""", "-DPELAGIC_STATIC")
+        self.assertEqual(bytes_of_c, f"{ctypes.sizeof(sea)} {type(sea).made_up_m.offset} {type(sea).made_up_model.offset}")
+        self.assertEqual(struct.unpack_from("d", bytes(sea), type(sea).made_up_m.offset), (3,))
 
 
 if __name__ == "__main__":
