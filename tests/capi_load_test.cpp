@@ -1,6 +1,8 @@
 // Many oceans, many repetitions, many threads.
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <random>
 #include <thread>
 
@@ -46,12 +48,16 @@ TEST(CInterfaceLoad, TenThousandOceansDoNotLeak) {
         for (int i = 0; i < count / 100; ++i) executor_of(PELAGIC_EXECUTOR_THREADS, 3);
     };
     make_some(500);
-    const std::size_t before = bytes_handed_out();
-    make_some(is_sanitized ? 1000 : 10000);
-    const std::size_t after = bytes_handed_out();
-    // glibc counts blocks in a thread's cache as allocated. The bound is less than a byte per
-    // ocean.
-    EXPECT_LE(after, before + 8192);
+    // glibc counts blocks in a thread's cache as allocated, which gives some kilobytes more or less. A
+    // leak is in each of three rounds. The bound is less than a byte per ocean.
+    std::size_t least = SIZE_MAX;
+    for (int round = 0; round < 3 && least > 8192; ++round) {
+        const std::size_t before = bytes_handed_out();
+        make_some(is_sanitized ? 1000 : 10000);
+        const std::size_t after = bytes_handed_out();
+        least = std::min(least, after > before ? after - before : 0);
+    }
+    EXPECT_LE(least, 8192u);
 }
 
 // Each query reads one complete frame, and concurrent queries do not change the frames.
