@@ -90,7 +90,7 @@ class Cascade:
             view: NDArray[np.float32] = np.ndarray((side, blocks, columns), np.float32, memory, 0, (4 * row, 4 * block, 4))
             return view.copy("C").reshape(side, side)
         finally:
-            frame._ocean._leave()
+            frame._ocean._leave(frame._number)
 
     def _level(self, chain: str, level: int, option: str) -> NDArray[np.uint8]:
         struct = self._alive()

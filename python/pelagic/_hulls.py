@@ -298,13 +298,14 @@ class Bodies:
             self._ocean._left.append(self._handle)
 
     def _call(self, function: Any, *arguments: Any) -> None:
-        """Calls a function while the ocean cannot be closed."""
+        """Calls a function that reads the frame completed last."""
         with self._lock:
-            self._ocean._enter(self._ocean._oldest)
+            newest = self._ocean._newest
+            self._ocean._enter(newest)
             try:
                 call(function, self._handle, *arguments)
             finally:
-                self._ocean._leave()
+                self._ocean._leave(newest)
 
     def _command(self, function: Any, *arguments: Any) -> None:
         """Calls a function that enqueues commands for the waves."""
@@ -397,11 +398,12 @@ class Bodies:
         """Returns everything that later steps depend on. Call it like DynamicWaves.save_state(),
         before the first command of a tick."""
         with self._lock:
-            self._ocean._enter(self._ocean._oldest)
+            newest = self._ocean._newest
+            self._ocean._enter(newest)
             try:
                 return saved_by(library.pelagic_bodies_save_state, self._handle)
             finally:
-                self._ocean._leave()
+                self._ocean._leave(newest)
 
     def restore_state(self, saved: bytes) -> None:
         """Continues from a saved state, whose hulls were added to this set. With wakes, restore the

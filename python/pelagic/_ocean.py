@@ -94,7 +94,7 @@ class Ocean:
         self._state = threading.Lock()  # of all members below but _views and _left
         self._readers_left = threading.Condition(self._state)
         self._handles: List[int] = []  # the handle, until it is destroyed
-        self._readers = 0
+        self._readers: "dict[int, int]" = {}  # readers of each frame, by its number
         self._views: "dict[int, Tuple[int, float]]" = {}  # number and time of the frame of each view
         self._left: List[Any] = []  # handles of bodies, which the next call destroys
         self._is_closed = self._in_flight = False
@@ -162,23 +162,19 @@ class Ocean:
             raise StaleFrame("the frame's memory holds a later one: a frame lasts until the second schedule() or frame_at() after its own")
 
     def _enter(self, number: int) -> None:
-        """Begins to read a frame, so that close() waits. _leave() must follow."""
+        """Begins to read a frame, for which schedule() and close() wait. _leave() must follow."""
         with self._state:
             if self._is_closed or number < self._oldest:
                 self._need_alive(number)
-            self._readers += 1
+            self._readers[number] = self._readers.get(number, 0) + 1
 
-    def _leave(self) -> None:
+    def _leave(self, number: int) -> None:
         with self._state:
-            self._readers -= 1
-            if self._is_closed and self._readers == 0:
-                self._readers_left.notify_all()
-
-    def _error_of(self, status: int, number: int) -> Exception:
-        """Returns the error of a function that reads a frame."""
-        if status == c.PELAGIC_WRONG_ORDER:
-            self._need_alive(number)
-        return error_of(status)
+            self._readers[number] -= 1
+            if self._readers[number] == 0:
+                del self._readers[number]
+                if number < self._oldest or self._is_closed:
+                    self._readers_left.notify_all()
 
     def _hash(self, number: int, kind: int) -> int:
         hash_ = ctypes.c_uint64()
@@ -186,9 +182,9 @@ class Ocean:
         try:
             status = library.pelagic_ocean_frame_hash(self._handle, number, kind, ctypes.byref(hash_))
         finally:
-            self._leave()
+            self._leave(number)
         if status:
-            raise self._error_of(status, number)
+            raise error_of(status)
         return hash_.value
 
     def _destroy(self, destroy: Any = library.pelagic_ocean_destroy) -> None:
@@ -225,6 +221,7 @@ class Ocean:
                     raise BufferError(f"an array of the frame of {number_text(time_of_view_s)} s is still in use, and the next frame needs its memory: "
                                       "drop the array, or keep a copy() of it")
             self._oldest = self._newest
+            self._readers_left.wait_for(lambda: all(number >= self._oldest for number in self._readers))
         status = library.pelagic_ocean_schedule(self._handle, time_s)
         if status:
             raise error_of(status)
@@ -267,7 +264,7 @@ class Ocean:
         with self._turn:
             with self._state:
                 self._is_closed = True
-                self._readers_left.wait_for(lambda: self._readers == 0)
+                self._readers_left.wait_for(lambda: not self._readers)
             self._is_over = True
             self._destroy_left()
             self._destroy_if_unused()

@@ -93,22 +93,28 @@ print("equal vertices")
     assert loaded.returncode == 0 and "equal vertices" in loaded.stdout, loaded.stdout + loaded.stderr
 
 
-# Defaults and ranges of the settings are those of the library's tables.
-tables = {
-    "waves_side": ("dynamic_waves_fields", "side_m"), "waves_resolution": ("dynamic_waves_fields", "resolution"),
-    "rain": ("rain_fields", "drops_per_m2_s"), "rain_radius": ("rain_fields", "radius_m"),
-    "rain_depth": ("rain_fields", "height_m")}
+def message_about(**options):
+    """The library's message about options, with the accepted range."""
+    try:
+        library.pelagic.DynamicWavesOptions(**options)
+    except ValueError as error:
+        return str(error)
+
+
+# Defaults of the settings are those of the package, and ranges those of the library.
+options = {
+    "waves_side": ("DynamicWavesOptions", "side_m"), "waves_resolution": ("DynamicWavesOptions", "resolution"),
+    "rain": ("Rain", "drops_per_m2_s"), "rain_radius": ("Rain", "radius_m"), "rain_depth": ("Rain", "height_m")}
 ocean = add("moderate", size=60)
 settings = ocean.pelagic
-for name, (table, field) in tables.items():
-    fields = {name_: (default, accepted) for name_, default, accepted in getattr(library.pelagic._pelagic, table)()}
-    default, accepted = fields[field]
+for name, (of, field) in options.items():
+    default = getattr(getattr(library.pelagic, of), field)
     known = settings.bl_rna.properties[name]
     assert abs(float(known.default) - default) < 1e-6, (name, known.default, default)
-    if field == "side_m":
-        assert accepted == f"[{known.hard_min:g}, {known.hard_max:g}]", accepted
-    if field == "resolution":
-        assert [item.identifier for item in known.enum_items] == re.findall(r"\d+", accepted), accepted
+sides = settings.bl_rna.properties["waves_side"]
+assert message_about(side_m=-1) == f"side_m -1 is out of range [{sides.hard_min:g}, {sides.hard_max:g}]", message_about(side_m=-1)
+resolutions = [item.identifier for item in settings.bl_rna.properties["waves_resolution"].enum_items]
+assert re.findall(r"\d+", message_about(resolution=7)) == ["7", *resolutions], message_about(resolution=7)
 
 # Two objects are recorded: a boat that turns, and a stone that falls into the water and sinks.
 still = {}

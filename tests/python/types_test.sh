@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# mypy accepts the example in strict mode, knows the types of arrays, and rejects errors.
+# mypy accepts the package and the example in strict mode, knows the types of arrays, and rejects errors.
 #
 # usage: types_test.sh SOURCE_FOLDER PYTHON
 set -euo pipefail
@@ -9,6 +9,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 check() { mypy --strict --python-executable "$python" --cache-dir "$work/cache" "$@"; }
 
+check "$source/python/pelagic"
 check "$source/python/examples/measured_spectrum.py"
 
 cat >right.py <<'END'
