@@ -1,7 +1,6 @@
 """Shared by the tests of the Python package: the native command, golden values and their seas."""
 
 import ast
-import ctypes
 import inspect
 import os
 import re
@@ -12,7 +11,6 @@ import numpy as np
 import pelagic
 import pytest
 from pelagic import _native
-from pelagic._library import library
 
 SOURCE = Path(__file__).resolve().parents[2]
 GOLDEN = dict(line.split() for line in (SOURCE / "tests/golden/hashes.txt").read_text().splitlines())
@@ -43,10 +41,9 @@ def docstrings_of_fields(cls):
             if isinstance(field, ast.AnnAssign) and isinstance(text, ast.Expr)}
 
 
-def defaults_of_library(type_, function):
-    """Returns the numbers that the C interface sets in a struct."""
-    struct = _native.sized(type_)
-    assert getattr(library, function)(ctypes.byref(struct)) == _native.PELAGIC_OK
+def defaults_of_library(type_):
+    """Returns the numbers that pelagic.h sets in a struct."""
+    struct = _native.make(type_)
     return {name: getattr(struct, name) for name, *_ in type_._fields_}
 
 

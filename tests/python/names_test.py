@@ -21,7 +21,7 @@ def test_a_sea_has_the_fields_and_defaults_of_the_library():
     assert {name: here.pop(name) for name in ("waves", "spectrum", "spreading")} == {
         "waves": "spectrum", "spectrum": "jonswap", "spreading": "paper"}
     assert here.pop("wave_height_m") == -1  # 0 in C
-    there = defaults_of_library(_native.pelagic_sea, "pelagic_sea_defaults")
+    there = defaults_of_library(_native.pelagic_sea)
     assert here == {name: there[name] for name in here}
 
 
@@ -29,7 +29,7 @@ def test_a_hull_has_the_defaults_of_the_library():
     here = {name: parameter.default for name, parameter in inspect.signature(pelagic.Hull).parameters.items()
             if isinstance(parameter.default, float)}
     assert len(here) == 11
-    there = defaults_of_library(_native.pelagic_hull_options, "pelagic_hull_defaults")
+    there = defaults_of_library(_native.pelagic_hull_options)
     assert here == {name: there[name] for name in here}
 
 

@@ -18,12 +18,12 @@ TICK_S = 1 / 60
 
 # Of each class, the struct of C with a function that sets its defaults, if it has one.
 OPTIONS = {
-    pelagic.AnalyticWave: None, pelagic.Disturbance: (_native.pelagic_disturbance, "pelagic_disturbance_defaults"),
-    pelagic.DynamicWavesOptions: (_native.pelagic_dynamic_waves_options, "pelagic_dynamic_waves_defaults"),
-    pelagic.Rain: (_native.pelagic_rain, "pelagic_rain_defaults"), pelagic.Ripple: None,
-    pelagic.ShoreOptions: (_native.pelagic_shore_options, "pelagic_shore_defaults"),
-    pelagic.SprayEmitter: (_native.pelagic_spray_emitter, "pelagic_spray_emitter_defaults"),
-    pelagic.SprayOptions: (_native.pelagic_spray_options, "pelagic_spray_defaults"),
+    pelagic.AnalyticWave: None, pelagic.Disturbance: _native.pelagic_disturbance,
+    pelagic.DynamicWavesOptions: _native.pelagic_dynamic_waves_options,
+    pelagic.Rain: _native.pelagic_rain, pelagic.Ripple: None,
+    pelagic.ShoreOptions: _native.pelagic_shore_options,
+    pelagic.SprayEmitter: _native.pelagic_spray_emitter,
+    pelagic.SprayOptions: _native.pelagic_spray_options,
 }
 
 
@@ -38,7 +38,7 @@ def test_options_have_the_defaults_and_ranges_of_the_library(cls):
         accepted = accepted_by_library(create, name, default)
         assert cls is pelagic.DynamicWavesOptions or not re.match(r"[\[(]", accepted) or accepted in docs[name], name
     if OPTIONS[cls]:
-        there = defaults_of_library(*OPTIONS[cls])
+        there = defaults_of_library(OPTIONS[cls])
         here.pop("swash_m", None)  # 0 in C
         assert here == {name: there[name] for name in here}
 
