@@ -28,6 +28,9 @@ from ._sea import Sea, warnings_about
 from ._structs import dynamic_waves_struct, sea_struct, shore_struct, spray_emitter_struct, spray_struct
 from ._waves import DynamicWaves
 
+_schedule, _complete = library.pelagic_ocean_schedule, library.pelagic_ocean_complete
+
+
 def executor_of(threads: int) -> ctypes.c_void_p:
     """Returns an executor with a number of threads. The caller destroys it."""
     handle = ctypes.c_void_p()
@@ -152,7 +155,8 @@ class Ocean:
             raise ValueError("the ocean is closed")
 
     def _need_no_frame_in_flight(self) -> None:
-        self._need_open()
+        if self._is_closed:
+            self._need_open()
         if self._in_flight:
             raise RuntimeError("a frame is in flight; call complete() first")
 
@@ -210,8 +214,8 @@ class Ocean:
 
     def _begin(self, time_s: float) -> None:
         """Schedules a frame. The turn is held."""
-        self._need_open()
-        self._destroy_left()
+        if self._left:
+            self._destroy_left()
         with self._state:
             self._need_no_frame_in_flight()
             if not math.isfinite(time_s):
@@ -221,19 +225,21 @@ class Ocean:
                     raise BufferError(f"an array of the frame of {number_text(time_of_view_s)} s is still in use, and the next frame needs its memory: "
                                       "drop the array, or keep a copy() of it")
             self._oldest = self._newest
-            self._readers_left.wait_for(lambda: all(number >= self._oldest for number in self._readers))
-        status = library.pelagic_ocean_schedule(self._handle, time_s)
+            if self._readers:
+                self._readers_left.wait_for(lambda: all(number >= self._oldest for number in self._readers))
+        status = _schedule(self._handle, time_s)
         if status:
             raise error_of(status)
         self._in_flight = True
 
     def _end(self, frame: Any) -> None:
         """Completes a frame and writes its struct. The turn is held."""
-        self._need_open()
+        if self._is_closed:
+            self._need_open()
         if not self._in_flight:
             raise RuntimeError("no frame is in flight; call schedule() first")
         self._in_flight = False
-        status = library.pelagic_ocean_complete(self._handle, frame)
+        status = _complete(self._handle, frame)
         if status:
             raise error_of(status)
         self._newest = frame.number

@@ -185,9 +185,13 @@ class _Results:
             setattr(samples, z, address + 8 * count)
         status: int = _ocean_query(handle, *call.pointers)
         for _, _, rows, vectors in self.vectors:
-            if rows is not None:
-                begin, end = time * count, (time + 1) * count
-                vectors[begin:end, 0], vectors[begin:end, 1], vectors[begin:end, 2] = rows
+            if rows is None:
+                continue
+            out = vectors[time * count:(time + 1) * count].T
+            if count < 256:
+                out[...] = rows
+            else:  # quicker by axis
+                out[0], out[1], out[2] = rows
         return status
 
 
