@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native as c
 from . import _queries
-from ._library import call, library
+from ._library import call, quick_library
 from ._numbers import invalid, whole_number_of
 from ._queries import Field, Hits, Interpolation, SurfaceSamples, UndisplacedSamples
 from ._sea import Sea
@@ -254,18 +254,18 @@ class Frame:
         self._ocean, self._struct, self._number = ocean, struct, struct.number
         self._cascades = [c.sized(c.pelagic_cascade) for _ in range(struct.cascade_count)]
         for i, cascade in enumerate(self._cascades):
-            call(library.pelagic_ocean_cascade, handle, i, cascade)
+            call(quick_library.pelagic_ocean_cascade, handle, i, cascade)
         self._waves = self._shore = None
         if ocean._has_dynamic_waves:
             self._waves = c.sized(c.pelagic_dynamic_waves_view)
-            call(library.pelagic_dynamic_waves_get_view, ocean._waves, self._waves)
+            call(quick_library.pelagic_dynamic_waves_get_view, ocean._waves, self._waves)
         if ocean._has_shore:
             self._shore = c.sized(c.pelagic_shore_surface)
-            call(library.pelagic_ocean_shore, handle, self._shore)
+            call(quick_library.pelagic_ocean_shore, handle, self._shore)
         self._sea: Any = ocean._sea  # or a struct
         if ocean._has_changes:
             self._sea = c.sized(c.pelagic_sea)
-            call(library.pelagic_ocean_sea, handle, self._sea)
+            call(quick_library.pelagic_ocean_sea, handle, self._sea)
 
     def _need_alive(self) -> None:
         self._ocean._need_alive(self._number)

@@ -21,14 +21,17 @@ class StaleFrame(RuntimeError):
 StaleFrame.__module__ = "pelagic"
 
 
-def _load() -> ctypes.CDLL:
+def _load(loader: Any) -> ctypes.CDLL:
     try:
-        return c.load(os.path.join(FOLDER, _FILE))
+        return c.load(os.path.join(FOLDER, _FILE), loader)
     except OSError as error:
         raise ImportError(str(error)) from error
 
 
-library = _load()
+library = _load(ctypes.CDLL)
+# For functions that return at once: these calls keep the interpreter lock, which busy threads take
+# milliseconds to return.
+quick_library = _load(ctypes.PyDLL)
 
 # Names of C in messages, and those of Python.
 _NAMES = [(r"^(dynamic_waves|shore|spray)\.", ""), (r"pelagic_ocean_options\.textures_only", "planes=False"),

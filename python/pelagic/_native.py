@@ -863,9 +863,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
 }
 
 
-def load(path: str) -> ctypes.CDLL:
+def load(path: str, loader: Any = ctypes.CDLL) -> ctypes.CDLL:
     """Loads the library and gives its functions their types."""
-    library = ctypes.CDLL(path)
+    library: ctypes.CDLL = loader(path)
     for name, (result, parameters) in FUNCTIONS.items():
         function = getattr(library, name)
         function.restype, function.argtypes = result, parameters

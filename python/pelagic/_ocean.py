@@ -20,7 +20,7 @@ from . import _native as c
 from . import _queries
 from ._frame import Frame
 from ._inputs import TakenInputs, WaveInput
-from ._library import StaleFrame, call, error_of, library, saved_by
+from ._library import StaleFrame, call, error_of, library, quick_library, saved_by
 from ._numbers import bytes_of, instance_of, invalid, iterable_of, number_of, number_text, whole_number_of, warn
 from ._options import DynamicWavesOptions, ShoreOptions, SprayEmitter, SprayOptions
 from ._queries import Field, Interpolation, SurfaceSamples
@@ -28,7 +28,9 @@ from ._sea import Sea, warnings_about
 from ._structs import dynamic_waves_struct, sea_struct, shore_struct, spray_emitter_struct, spray_struct
 from ._waves import DynamicWaves
 
-_schedule, _complete = library.pelagic_ocean_schedule, library.pelagic_ocean_complete
+_IN_LIBRARY = math.inf  # instead of a number: readers that the library waits for
+# schedule() waits at most for readers in the library, which do not need the interpreter lock.
+_schedule, _complete = quick_library.pelagic_ocean_schedule, library.pelagic_ocean_complete
 
 
 def executor_of(threads: int) -> ctypes.c_void_p:
@@ -97,7 +99,7 @@ class Ocean:
         self._state = threading.Lock()  # of all members below but _views and _left
         self._readers_left = threading.Condition(self._state)
         self._handles: List[int] = []  # the handle, until it is destroyed
-        self._readers: "dict[int, int]" = {}  # readers of each frame, by its number
+        self._readers: "dict[float, int]" = {}  # readers of each frame, by its number
         self._views: "dict[int, Tuple[int, float]]" = {}  # number and time of the frame of each view
         self._left: List[Any] = []  # handles of bodies, which the next call destroys
         self._is_closed = self._in_flight = False
@@ -172,7 +174,21 @@ class Ocean:
                 self._need_alive(number)
             self._readers[number] = self._readers.get(number, 0) + 1
 
-    def _leave(self, number: int) -> None:
+    def _enter_library(self, number: int) -> None:
+        """As _enter(), for a single call of the library, which waits for it without the interpreter
+        lock. _leave(_IN_LIBRARY) must follow."""
+        with self._state:
+            if self._is_closed or number < self._oldest:
+                self._need_alive(number)
+            self._readers[_IN_LIBRARY] = self._readers.get(_IN_LIBRARY, 0) + 1
+
+    def _error_of(self, status: int, number: int) -> Exception:
+        """Returns the error of a call after _enter_library()."""
+        if status == c.PELAGIC_WRONG_ORDER:
+            self._need_alive(number)
+        return error_of(status)
+
+    def _leave(self, number: float) -> None:
         with self._state:
             self._readers[number] -= 1
             if self._readers[number] == 0:
@@ -182,13 +198,13 @@ class Ocean:
 
     def _hash(self, number: int, kind: int) -> int:
         hash_ = ctypes.c_uint64()
-        self._enter(number)
+        self._enter_library(number)
         try:
             status = library.pelagic_ocean_frame_hash(self._handle, number, kind, ctypes.byref(hash_))
         finally:
-            self._leave(number)
+            self._leave(_IN_LIBRARY)
         if status:
-            raise error_of(status)
+            raise self._error_of(status, number)
         return hash_.value
 
     def _destroy(self, destroy: Any = library.pelagic_ocean_destroy) -> None:

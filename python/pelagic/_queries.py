@@ -210,7 +210,7 @@ def _call_of(names: Tuple[str, ...], positions: _Positions, tolerance_m: float, 
 
 def query(frame: Frame, points: Any, z: Any, fields: Any, tolerance_m: float, interpolation: str) -> SurfaceSamples:
     ocean, number = frame._ocean, frame._number
-    ocean._enter(number)
+    ocean._enter_library(number)
     try:
         tolerance, of_interpolation = _tolerance(tolerance_m), _interpolation(interpolation)
         positions = _Positions(points, z)
@@ -222,9 +222,9 @@ def query(frame: Frame, points: Any, z: Any, fields: Any, tolerance_m: float, in
         status = results.sample(ocean._handle, call, 0)
         _idle_calls[names].append(call)
     finally:
-        ocean._leave(frame._number)
+        ocean._leave(math.inf)
     if status:
-        raise error_of(status)
+        raise ocean._error_of(status, number)
     return results.results  # type: ignore[no-any-return]
 
 

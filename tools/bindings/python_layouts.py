@@ -43,9 +43,9 @@ def write(header):
         result = "None" if is_void else ctype(header, function.result, seen)
         parameters = ", ".join(ctype(header, p.type, seen) for p in function.parameters)
         lines.append(f'    "{function.name}": ({result}, [{parameters}]),')
-    lines += ["}", "", "", "def load(path: str) -> ctypes.CDLL:",
+    lines += ["}", "", "", "def load(path: str, loader: Any = ctypes.CDLL) -> ctypes.CDLL:",
               '    """Loads the library and gives its functions their types."""',
-              "    library = ctypes.CDLL(path)",
+              "    library: ctypes.CDLL = loader(path)",
               "    for name, (result, parameters) in FUNCTIONS.items():",
               "        function = getattr(library, name)",
               "        function.restype, function.argtypes = result, parameters",
