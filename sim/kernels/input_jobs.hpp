@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pelagic/sim/frame_bounds.hpp"
+
 namespace pelagic {
 
 /// Number of fields of a row: dx, height and dz, or their time derivatives.
