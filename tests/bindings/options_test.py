@@ -149,7 +149,7 @@ int main(void) {
     def test_is_converted_between_c_and_cpp(self):
         text = (self.tree / "capi/c_sea.cpp").read_text()
         self.assertIn("to.made_up_m = from.made_up_m;", text)
-        self.assertEqual(text.count("made_up_model"), 5)
+        self.assertEqual(text.count("made_up_model"), 5, "three names where it is read, two where it is written")
 
     def test_is_a_flag_a_key_and_a_row_of_the_page(self):
         flags = (self.tree / "tools/options/sea_options.cpp").read_text()

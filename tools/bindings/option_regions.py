@@ -150,8 +150,6 @@ def cpp_enums(schema):
 # ---- the command line ---------------------------------------------------------------------------
 
 def flag_of(option):
-    if option.flag:
-        return option.flag
     suffix = UNITS[option.unit][0] if option.unit else ""
     return option.name.removesuffix(suffix).replace("_", "-")
 

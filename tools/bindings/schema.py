@@ -12,9 +12,9 @@ UNITS = {"m": ("_m", "metres"), "s": ("_s", "seconds"), "rad": ("_rad", "radians
 TYPES = {"double", "float", "int", "uint32", "bool"}
 CONDITIONS = {"", "a power of two", "an even number"}
 OPTION_KEYS = {"name", "unit", "type", "enum", "default", "c_default", "range", "accepted", "shown", "must_be", "derived",
-               "derived_value", "derived_word", "derivation", "text", "more", "only", "needs", "group", "flag", "flag_help",
+               "derived_value", "derivation", "text", "more", "only", "needs", "group", "flag_help",
                "flag_default", "flag_accepted", "blender", "required"}
-SCHEMA_KEYS = {"struct", "c", "title", "enum", "option"}
+SCHEMA_KEYS = {"struct", "c", "enum", "option"}
 
 
 class SchemaError(ValueError):
@@ -61,13 +61,11 @@ class Option:
     must_be: str = ""
     derived: str = ""           # what messages call the default that stands for a derived value
     derived_value: object = None
-    derived_word: str = ""
     derivation: str = ""
     more: str = ""
     only: list = None           # languages that have it; None: all
     needs: str = ""
     group: str = "sea"
-    flag: str = ""
     flag_help: str = ""
     flag_default: str = ""
     flag_accepted: str = ""
@@ -115,7 +113,6 @@ class Schema:
     options: list
     enums: list
     c: str = ""
-    title: str = ""
 
 
 def number_of(text):
@@ -184,4 +181,4 @@ def read_schema(path):
     names = [option.name for option in options]
     if twice := [name for name in names if names.count(name) > 1]:
         raise SchemaError(f"{path.name} has {twice[0]} twice")
-    return Schema(path.name, table["struct"], options, enums, table.get("c", ""), table.get("title", ""))
+    return Schema(path.name, table["struct"], options, enums, table.get("c", ""))
