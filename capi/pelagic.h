@@ -167,7 +167,8 @@ typedef struct pelagic_sea {
      * after it. All models use the wind, whose direction is that of their waves. */
     int32_t waves;
     int32_t spectrum; /* PELAGIC_SPECTRUM_...; wave spectrum */
-    /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper accepts only paper. */
+    /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper has paper, whatever this is by
+     * default. */
     int32_t spreading;
     /* Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m is set, the
      * resolution is 16 or the model has only one. More than one excludes patch_size_m. */
@@ -204,7 +205,9 @@ typedef struct pelagic_sea {
     double swell_direction_rad; /* direction that the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi] */
     /* Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default. */
     double swell_spread_rad;
-    double loop_period_s; /* T, the period after which the sea repeats exactly; [0.1, 86400] */
+    /* T, the period after which the sea repeats exactly; [0.1, 86400]. Waves keep their frequency within 1 / (2
+     * T): in short loops groups of waves move in steps. */
+    double loop_period_s;
     /* Longest wavelength of an analytic sea or a pond; [0.02, 1000]. 0: 120, of a pond 1.2. */
     double longest_wave_m;
     /* Shortest wavelength, at most the longest; [0.01, 1000]. 0: the longest / 60, of a pond / 45. */
@@ -220,10 +223,11 @@ typedef struct pelagic_sea {
 /* generated from schema/sea.toml: c-make */
 static inline pelagic_sea pelagic_sea_make(void) {
     PELAGIC_ZEROS(pelagic_sea, sea);
-    sea.spectrum = PELAGIC_SPECTRUM_JONSWAP; sea.seed = 1; sea.wind_speed_mps = 12; sea.fetch_m = 100e3;
-    sea.peak_enhancement = 3.3; sea.depth_m = 4000; sea.choppiness = 0.8; sea.roughness = -1;
-    sea.wind_alignment = 0.5; sea.swell_period_s = 12; sea.swell_spread_rad = 0.26179938779914943;
-    sea.loop_period_s = 200; sea.wave_strength = 1; sea.wave_drag = 0.38;
+    sea.spectrum = PELAGIC_SPECTRUM_JONSWAP; sea.spreading = PELAGIC_SPREADING_DONELAN_BANNER; sea.seed = 1;
+    sea.wind_speed_mps = 12; sea.fetch_m = 100e3; sea.peak_enhancement = 3.3; sea.depth_m = 4000;
+    sea.choppiness = 0.8; sea.roughness = -1; sea.wind_alignment = 0.5; sea.swell_period_s = 12;
+    sea.swell_spread_rad = 0.26179938779914943; sea.loop_period_s = 3600; sea.wave_strength = 1;
+    sea.wave_drag = 0.38;
     return sea;
 }
 /* end of generated */

@@ -67,8 +67,8 @@ struct SeaState {
     /// after it. All models use the wind, whose direction is that of their waves.
     WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;  ///< wave spectrum
-    /// Directional spreading. The spectrum phillips-paper accepts only paper.
-    SpreadingModel spreading = SpreadingModel::paper;
+    /// Directional spreading. The spectrum phillips-paper has paper, whatever this is by default.
+    SpreadingModel spreading = SpreadingModel::donelan_banner;
     /// Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if
     /// patch_size_m is set, the resolution is 16 or the model has only one. More than one excludes
     /// patch_size_m.
@@ -110,8 +110,9 @@ struct SeaState {
     double swell_direction_rad = 0;
     /// Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default.
     double swell_spread_rad = 0.26179938779914943;
-    /// T, the period after which the sea repeats exactly; [0.1, 86400].
-    double loop_period_s = 200;
+    /// T, the period after which the sea repeats exactly; [0.1, 86400]. Waves keep their frequency
+    /// within 1 / (2 T): in short loops groups of waves move in steps.
+    double loop_period_s = 3600;
     std::uint32_t seed = 1;  ///< seed of the random phases and amplitudes
     /// Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves.
     int wave_count = 0;
@@ -132,6 +133,8 @@ struct SeaState {
 int cascades_of(const SeaState& sea);
 /// Returns the texels along a side of a cascade, N.
 int resolution_of(const SeaState& sea);
+/// Returns the option; paper for the spectrum phillips-paper.
+SpreadingModel spreading_of(const SeaState& sea);
 /// Returns whether the sea has one cascade because patch_size_m is set or its model has only one.
 /// \pre check(sea) is empty
 bool is_limited_to_one_cascade(const SeaState& sea);

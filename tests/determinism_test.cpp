@@ -148,7 +148,7 @@ TEST(Determinism, WholeLoopPeriodsGiveTheFrameOfTimeZero) {
 TEST(Determinism, FrameZeroIsBitIdenticalAfterTenHours) {
     Ocean ocean({.resolution = 64, .patch_size_m = 250}, {.executor = make_serial_executor()});
     const std::uint64_t start = hash_of(ocean.frame_at(0)), later = hash_of(ocean.frame_at(1.25));
-    // A sample of ten hours at 1 Hz; the loop is 200 s, so 36000 s is a whole number of periods.
+    // A sample of ten hours at 1 Hz; 36000 s is ten loops.
     for (int second = 0; second < 36000; second += 97) ocean.frame_at(second);
     EXPECT_EQ(hash_of(ocean.frame_at(36000)), start);
     EXPECT_EQ(hash_of(ocean.frame_at(36001.25)), later);

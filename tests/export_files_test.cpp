@@ -466,12 +466,12 @@ TEST(Info, BeginsWithASummaryOfFiveLines) {
     for (std::size_t i = 0; i < 5; ++i) EXPECT_TRUE(lines[i].starts_with(names[i])) << lines[i];
     EXPECT_EQ(lines[5], "");
     const char* const parts[] = {"preset calm, jonswap, wind 3.2 m/s", "Hs 0.297 m expected", "Tm01",
-                                 "after 200 s and after 140 m, the side of the coarsest of 4 cascades", "MB"};
+                                 "after 3600 s and after 140 m, the side of the coarsest of 4 cascades", "MB"};
     for (std::size_t i = 0; i < 5; ++i) EXPECT_NE(lines[i].find(parts[i]), std::string::npos) << lines[i];
     const std::string one = run_pelagic({"info", "--patch-size", "250", "--resolution", "32"}).out;
-    EXPECT_NE(one.find("after 200 s and after 250 m\n"), std::string::npos);
+    EXPECT_NE(one.find("after 3600 s and after 250 m\n"), std::string::npos);
     const std::string pond = run_pelagic({"info", "--preset", "pond"}).out;
-    EXPECT_NE(pond.find("after 200 s and after 7.2 m\n"), std::string::npos) << "six times 1.2 m, rounded";
+    EXPECT_NE(pond.find("after 3600 s and after 7.2 m\n"), std::string::npos) << "six times 1.2 m, rounded";
 }
 
 TEST(Info, MarksMeasuredStatisticsAsNotMeasuredUnlessAskedForThem) {

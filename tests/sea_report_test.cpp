@@ -33,7 +33,10 @@ TEST(SeaReport, SpreadFollowsFromTheCosinePower) {
         const double first = (1 - sigma) / (1 + sigma) * cosine_integral(s + 1) / cosine_integral(s);
         // The side has sixteen peak wavelengths, so the grid's few directions at the peak average
         // out to less than a degree.
-        const SeaReport report = report_on({.resolution = 128, .patch_size_m = 1000, .wind_alignment = alignment});
+        const SeaReport report = report_on({.spreading = SpreadingModel::paper,
+                                             .resolution = 128,
+                                             .patch_size_m = 1000,
+                                             .wind_alignment = alignment});
         EXPECT_NEAR(report.expected_directions.spread_rad, std::sqrt(2 * (1 - first)), 0.01) << alignment;
     }
 }

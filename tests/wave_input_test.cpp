@@ -726,5 +726,40 @@ TEST(WaveInput, InvalidInputsAreRejectedWithOneLine) {
     EXPECT_EQ(hash_of(ocean.frame_at(1)), hash_of(same.frame_at(1)));
 }
 
+// 20 waves along x around 69 m, their centre by the first harmonic of h^2 around the side. Waves
+// one step dk apart make that harmonic, so it travels at the mean of (w(k + dk) - w(k)) / dk,
+// weighted by their products. Every frequency is rounded to a harmonic of the loop: in a loop of
+// 200 s, steps of 6 m/s.
+TEST(WaveGroups, TravelAtTheGroupVelocityInTheDefaultLoop) {
+    constexpr double side_m = 1200, middle = side_m / 69;
+    const auto frequency = [](int m) { return std::sqrt(gravity_mps2 * m * two_pi / side_m); };
+    AnalyticSea packet;
+    double weights = 0, expected_mps = 0;
+    const auto amplitude_m = [&](int m) { return 0.1 * std::exp(-(m - middle) * (m - middle) / 18); };
+    for (int m = 8; m < 28; ++m) {
+        packet.waves.push_back({.amplitude_m = amplitude_m(m), .wavelength_m = side_m / m});
+        const double weight = amplitude_m(m) * amplitude_m(m + 1);
+        weights += weight;
+        expected_mps += weight * (frequency(m + 1) - frequency(m)) * side_m / two_pi;
+    }
+    expected_mps /= weights;
+    ASSERT_NEAR(expected_mps, std::sqrt(gravity_mps2 * 69 / two_pi) / 2, 0.05);
+
+    Ocean ocean({.resolution = 128, .patch_size_m = side_m, .wind_speed_mps = 0.3}, with({gerstner(packet)}));
+    const auto centre_m = [&](double time_s) {
+        ocean.schedule(time_s);
+        const PlaneView height = ocean.complete().cascades[0].height;
+        double cosine = 0, sine = 0;
+        for (int i = 0; i < 128; ++i) {
+            const double h = height.at(i, 0), turns = two_pi * i / 128;
+            cosine += h * h * std::cos(turns);
+            sine += h * h * std::sin(turns);
+        }
+        return std::atan2(sine, cosine) * side_m / two_pi;
+    };
+    const double travelled_m = std::remainder(centre_m(60) - centre_m(0), side_m);
+    EXPECT_NEAR(travelled_m / 60, expected_mps, 0.01 * expected_mps);
+}
+
 }  // namespace
 }  // namespace pelagic

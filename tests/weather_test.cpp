@@ -82,7 +82,7 @@ TEST(Forecast, InvalidSeasAreRejectedWithOneLine) {
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.seed = 7; }),
               "change 1: seed is 7, expected 1 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.loop_period_s = 100; }),
-              "change 1: loop_period_s is 100, expected 200 as the first sea has it");
+              "change 1: loop_period_s is 100, expected 3600 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.resolution = 128; }),
               "change 1: resolution is 128, expected 64 as the first sea has it");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.cascades = 3; }),

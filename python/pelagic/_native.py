@@ -709,6 +709,7 @@ STRUCTS = [
 DEFAULTS: Dict[Any, Dict[str, Any]] = {
     pelagic_sea: {
         "spectrum": PELAGIC_SPECTRUM_JONSWAP,
+        "spreading": PELAGIC_SPREADING_DONELAN_BANNER,
         "seed": 1,
         "wind_speed_mps": 12,
         "fetch_m": 100e3,
@@ -719,7 +720,7 @@ DEFAULTS: Dict[Any, Dict[str, Any]] = {
         "wind_alignment": 0.5,
         "swell_period_s": 12,
         "swell_spread_rad": 0.26179938779914943,
-        "loop_period_s": 200,
+        "loop_period_s": 3600,
         "wave_strength": 1,
         "wave_drag": 0.38,
     },

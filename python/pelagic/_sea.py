@@ -59,11 +59,11 @@ class Sea:
     """Wave spectrum: "phillips-paper" (scaled as in VR Ocean, without a swell), "phillips"
     (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
     "jonswap" (a sea that grows with the fetch)."""
-    spreading: str = "paper"
+    spreading: str = "donelan-banner"
     """Directional spreading: "paper" (VR Ocean, by wind_alignment), "cosine-2s" (measured,
     Longuet-Higgins et al. 1963), "hasselmann" (measured, Hasselmann et al. 1980), "donelan-banner"
-    (measured, Donelan et al. 1985 and Banner 1990). The spectrum phillips-paper accepts only
-    paper."""
+    (measured, Donelan et al. 1985 and Banner 1990). The spectrum phillips-paper has paper, whatever
+    this is by default."""
     cascades: int = 0
     """Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m
     is set, the resolution is 16 or the model has only one. More than one excludes patch_size_m."""
@@ -107,8 +107,9 @@ class Sea:
     """Direction that the swell runs towards, as wind_direction_rad; [-2 pi, 2 pi]."""
     swell_spread_rad: float = 0.26179938779914943
     """Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default."""
-    loop_period_s: float = 200.0
-    """T, the period after which the sea repeats exactly; [0.1, 86400]."""
+    loop_period_s: float = 3600.0
+    """T, the period after which the sea repeats exactly; [0.1, 86400]. Waves keep their frequency
+    within 1 / (2 T): in short loops groups of waves move in steps."""
     seed: int = 1
     """Seed of the random phases and amplitudes."""
     wave_count: int = 0

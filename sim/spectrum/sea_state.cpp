@@ -64,6 +64,10 @@ int resolution_of(const SeaState& sea) {
     return is_limited_to_one_cascade(sea) ? 256 : 128;
 }
 
+SpreadingModel spreading_of(const SeaState& sea) {
+    return is_phillips_paper(sea) ? SpreadingModel::paper : sea.spreading;
+}
+
 std::span<const SeaStateField> sea_state_fields() { return sea_state_field_table; }
 
 std::string check(const SeaState& sea) {
@@ -90,7 +94,7 @@ std::string check(const SeaState& sea) {
     }
     if (sea.waves != WaveModel::spectrum) return check_wave_list(sea);
     if (!is_papers) return {};
-    if (sea.spreading != SpreadingModel::paper)
+    if (spreading_of(sea) != sea.spreading && sea.spreading != SeaState{}.spreading)
         return invalid_value_message("spreading", name_of(sea.spreading),
                                      "paper where the spectrum is phillips-paper");
     if (sea.swell_height_m != 0)

@@ -73,7 +73,7 @@ WaveSpectrum::WaveSpectrum(const SeaState& sea, const CascadePlan& cascade)
 
     const double speed = sea.wind_speed_mps;
     jonswap_alpha_ = 0.076 * det::pow(speed * speed / (effective_fetch_m(sea) * gravity_mps2), 0.22);
-    if (sea.spreading != SpreadingModel::paper)
+    if (spreading_of(sea) != SpreadingModel::paper)
         measured_spreading_.emplace(sea.spreading, peak_, speed * peak_ / gravity_mps2);
 
     if (const double largest = highest_over_depth * sea.depth_m;

@@ -169,14 +169,14 @@ def test_a_series_equals_queries_of_frames():
 
 def test_a_series_longer_than_the_loop_is_rejected():
     with pelagic.Ocean(pelagic.Sea(resolution=64, patch_size_m=250)) as ocean:
-        with pytest.raises(ValueError, match=r"^times span 400 s, but the sea repeats after 200 s: loop_period_s=600 is long enough, "
+        with pytest.raises(ValueError, match=r"^times span 7200 s, but the sea repeats after 3600 s: loop_period_s=10800 is long enough, "
                                              r"and repeats=True permits repetition$"):
-            ocean.series([0, 0], [0, 200, 400])
-        heights = ocean.series([0, 0], [0, 200, 400], repeats=True)["height"]
+            ocean.series([0, 0], [0, 3600, 7200])
+        heights = ocean.series([0, 0], [0, 3600, 7200], repeats=True)["height"]
         assert heights[0] == heights[1] == heights[2]
-        ocean.series([0, 0], [-100, 100])  # one loop, closed
-    with pelagic.Ocean(pelagic.Sea(resolution=64, patch_size_m=250, loop_period_s=600)) as ocean:
-        assert len(set(ocean.series([0, 0], [0, 200, 400])["height"])) == 3
+        ocean.series([0, 0], [-1800, 1800])  # one loop, closed
+    with pelagic.Ocean(pelagic.Sea(resolution=64, patch_size_m=250, loop_period_s=10800)) as ocean:
+        assert len(set(ocean.series([0, 0], [0, 3600, 7200])["height"])) == 3
 
 
 def test_points_beyond_the_repeat_length_give_a_warning(small):

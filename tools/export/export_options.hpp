@@ -70,7 +70,7 @@ class ExportFlags {
     /// Returns the text of an option; none if it is not given.
     const std::optional<std::string>& typed(const std::string& flag) const { return typed_.at(flag); }
 
-    SeaOptions sea_;
+    SeaOptions sea_{paper_loop_period_s};
     MeshFlags meshes_;
     EventFlags events_;
     WaterFrameFlags water_frame_;

@@ -289,9 +289,10 @@ std::string named_as_keys(std::string reason) {
     return reason;
 }
 
-/// Stores the default cascades and resolution explicitly, so that files do not depend on the
-/// defaults of a version.
+/// Stores the default cascades, resolution and spreading explicitly, so that files do not depend on
+/// the defaults of a version.
 void store_defaults(SeaState& sea) {
+    sea.spreading = spreading_of(sea);
     const int cascades = cascades_of(sea), resolution = resolution_of(sea);
     sea.cascades = cascades;
     sea.resolution = resolution;
@@ -325,7 +326,7 @@ std::string_view missing_for(Needs needs, const SeaState& sea) {
     if (!is_spectrum) return "--waves spectrum";
     switch (needs) {
         case Needs::jonswap: return unless(sea.spectrum == SpectrumModel::jonswap, "--spectrum jonswap");
-        case Needs::paper_spreading: return unless(sea.spreading == SpreadingModel::paper, "--spreading paper");
+        case Needs::paper_spreading: return unless(spreading_of(sea) == SpreadingModel::paper, "--spreading paper");
         case Needs::swell: return unless(sea.swell_height_m > 0, "--swell-height");
         default: return "";
     }
@@ -371,7 +372,8 @@ void SeaOptions::add_to(CLI::App& app, PresetName preset) {
             is_direction(flag) ? "HEADING"
             : is_speed(flag)   ? "SPEED"
                                : "NUMBER",
-            std::string(flag.help) + "; " + accepted_in_help(flag) + " (default: " + default_of(flag) + ")",
+            std::string(flag.help) + "; " + accepted_in_help(flag) + " (default: " +
+                (flag.field == "loop_period_s" ? number_text(loop_period_s_) : default_of(flag)) + ")",
             flag.group);
 }
 
@@ -495,6 +497,7 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config, Sea
     of_file = resolved.sea;
     for (const std::string& flag : configurable_flags())
         if (const auto value = typed(flag); value && flag != "preset") apply(resolved, flag, *value, "--" + flag);
+    if (!resolved.has_loop_period) resolved.sea.loop_period_s = loop_period_s_;
     // Checks combinations; each option has been checked individually.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(named_as_flags(reason));
     store_defaults(resolved.sea);

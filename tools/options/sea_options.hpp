@@ -75,9 +75,17 @@ std::string warning_about_weather(const ResolvedSea& sea);
 /// Prints this warning as a note.
 void print_weather_note(const ResolvedSea& sea);
 
+/// The loop period of VR Ocean, the default of exports, which write a loop.
+inline constexpr double paper_loop_period_s = 200;
+
 class SeaOptions {
    public:
     enum class PresetName { option, positional_too };
+
+    SeaOptions() = default;
+    /// \param loop_period_s  default of the loop period, instead of the library's
+    explicit SeaOptions(double loop_period_s) : loop_period_s_(loop_period_s) {}
+
     /// Declares --preset, --config, --waves, --spectrum, --spreading and a flag for each numeric
     /// field, with units, ranges and defaults.
     /// \param preset  positional_too: the command line's first word names the preset, too
@@ -109,6 +117,7 @@ class SeaOptions {
     static void add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file);
     std::optional<std::string> typed(const std::string& flag) const;
 
+    double loop_period_s_ = SeaState{}.loop_period_s;
     std::map<std::string, std::optional<std::string>> typed_;  ///< command-line values by flag
 };
 

@@ -154,7 +154,10 @@ namespace Pelagic
         public WavesKind Waves;
         /// <summary>Spectrum; wave spectrum</summary>
         public Spectrum Spectrum;
-        /// <summary>Spreading; directional spreading. The spectrum phillips-paper accepts only paper.</summary>
+        /// <summary>
+        /// Spreading; directional spreading. The spectrum phillips-paper has paper, whatever this is by
+        /// default.
+        /// </summary>
         public Spreading Spreading;
         /// <summary>
         /// Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if PatchSizeM is set, the
@@ -219,7 +222,10 @@ namespace Pelagic
         public double SwellDirectionRad;
         /// <summary>Standard deviation of the swell's directions; [pi/180, 4 pi/9]. 15 degrees by default.</summary>
         public double SwellSpreadRad;
-        /// <summary>T, the period after which the sea repeats exactly; [0.1, 86400]</summary>
+        /// <summary>
+        /// T, the period after which the sea repeats exactly; [0.1, 86400]. Waves keep their frequency within 1 / (2
+        /// T): in short loops groups of waves move in steps.
+        /// </summary>
         public double LoopPeriodS;
         /// <summary>Longest wavelength of an analytic sea or a pond; [0.02, 1000]. 0: 120, of a pond 1.2.</summary>
         public double LongestWaveM;
@@ -1248,6 +1254,7 @@ namespace Pelagic
             {
                 struct_size = (uint)sizeof(Sea),
                 Spectrum = Spectrum.Jonswap,
+                Spreading = Spreading.DonelanBanner,
                 Seed = 1,
                 WindSpeedMps = 12,
                 FetchM = 100e3,
@@ -1258,7 +1265,7 @@ namespace Pelagic
                 WindAlignment = 0.5,
                 SwellPeriodS = 12,
                 SwellSpreadRad = 0.26179938779914943,
-                LoopPeriodS = 200,
+                LoopPeriodS = 3600,
                 WaveStrength = 1,
                 WaveDrag = 0.38,
             };

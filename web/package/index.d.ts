@@ -26,7 +26,7 @@ export interface SeaOptions {
    * Directional spreading. "paper": VR Ocean, by windAlignment. "cosine-2s": measured,
    * Longuet-Higgins et al. 1963. "hasselmann": measured, Hasselmann et al. 1980.
    * "donelan-banner": measured, Donelan et al. 1985 and Banner 1990. The spectrum phillips-paper
-   * accepts only paper. Default "paper".
+   * has paper, whatever this is by default. Default "donelan-banner".
    */
   spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
   /**
@@ -101,7 +101,10 @@ export interface SeaOptions {
    * default. Default 0.2617993877991494.
    */
   swellSpreadRad?: number;
-  /** T, the period after which the sea repeats exactly, seconds: [0.1, 86400]. Default 200. */
+  /**
+   * T, the period after which the sea repeats exactly, seconds: [0.1, 86400]. Waves keep their
+   * frequency within 1 / (2 T): in short loops groups of waves move in steps. Default 3600.
+   */
   loopPeriodS?: number;
   /** Seed of the random phases and amplitudes: a whole number from 0 to 4294967295. Default 1. */
   seed?: number;

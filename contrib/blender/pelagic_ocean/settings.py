@@ -37,7 +37,7 @@ class PelagicOcean(bpy.types.PropertyGroup):
         description="Wave spectrum")
     spreading: EnumProperty(
         name="Spreading", update=changed,
-        default="paper", items=(
+        default="donelan-banner", items=(
             ("paper", "paper", "VR Ocean, by Alignment", 0),
             ("cosine-2s", "cosine-2s", "Measured, Longuet-Higgins et al. 1963", 1),
             ("hasselmann", "hasselmann", "Measured, Hasselmann et al. 1980", 2),
@@ -108,7 +108,7 @@ class PelagicOcean(bpy.types.PropertyGroup):
         description="Standard deviation of the swell's directions")
     loop_period: FloatProperty(
         name="Loop", update=changed,
-        default=200, min=0.1, max=86400, unit="TIME_ABSOLUTE",
+        default=3600, min=0.1, max=86400, unit="TIME_ABSOLUTE",
         description="T, the period after which the sea repeats exactly")
     seed: IntProperty(
         name="Seed", update=changed,
