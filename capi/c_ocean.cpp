@@ -230,7 +230,7 @@ std::uint64_t set_current(pelagic_ocean& ocean, const Frame& frame) {
 std::uint64_t hash_of_kind(const Frame& frame, std::int32_t kind) {
     const auto need = [](bool has, const char* option) {
         if (!has)
-            reject(std::string("the frame has no ") + option + ": it was created without pelagic_ocean_options." +
+            reject(std::string("the ocean has no ") + option + ": it was created without pelagic_ocean_options." +
                    option);
     };
     switch (kind) {
@@ -461,22 +461,6 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
             all = frame.bounds;
         }
         if (bounds) *bounds = bounds_of(all);
-    });
-}
-
-pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
-    return guarded([&] {
-        need_frame(needed(ocean, "ocean"));
-        needed(hash, "hash") = hash_of(*ocean->current);
-    });
-}
-
-pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash) {
-    return guarded([&] {
-        need_frame(needed(ocean, "ocean"));
-        if (!ocean->current->has_foam)
-            reject("the ocean has no foam: it was created without pelagic_ocean_options.foam");
-        needed(hash, "hash") = foam_hash_of(*ocean->current);
     });
 }
 

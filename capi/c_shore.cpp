@@ -67,10 +67,3 @@ pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_sur
         out.potential_m2ps = shore.potential_m2ps.data();
     });
 }
-
-pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash) {
-    return guarded([&] {
-        shown_shore(needed(ocean, "ocean"));
-        needed(hash, "hash") = shore_hash_of(*ocean->current);
-    });
-}

@@ -1,5 +1,4 @@
 // C interface of spray.
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,17 +17,6 @@ COcean& needed_ocean_with_spray(COcean* ocean) {
     COcean& there = needed(ocean, "ocean");
     if (!there.has_spray) reject("the ocean has no spray: it was created without pelagic_ocean_options.spray");
     return there;
-}
-
-const Frame& shown_frame(const pelagic_ocean* ocean) {
-    need_frame(needed_ocean_with_spray(ocean));
-    return *ocean->current;
-}
-
-template <class Number, class Member>
-void write_members(std::span<const SprayDroplet> droplets, Member SprayDroplet::*member, Number* out) {
-    if (!out) return;
-    for (const SprayDroplet& droplet : droplets) *out++ = droplet.*member;
 }
 
 }  // namespace
@@ -84,35 +72,6 @@ pelagic_status pelagic_ocean_emit(pelagic_ocean* ocean, const pelagic_spray_emit
             if (const std::string reason = check(ours.back()); !reason.empty()) reject(element + "." + reason);
         });
         sea.emit(ours);
-    });
-}
-
-pelagic_status pelagic_ocean_droplets(const pelagic_ocean* ocean, const pelagic_droplets* droplets, size_t* count) {
-    return guarded([&] {
-        const std::span<const SprayDroplet> all = shown_frame(ocean).droplets;
-        std::size_t& there = needed(count, "count");
-        if (droplets) {
-            const pelagic_droplets to = read_struct(droplets, "droplets");
-            if (to.room < all.size())
-                reject(invalid_value_message("droplets.room", to.room, number_text(all.size()) + " or more"));
-            write_members(all, &SprayDroplet::x_m, to.x_m);
-            write_members(all, &SprayDroplet::y_m, to.y_m);
-            write_members(all, &SprayDroplet::z_m, to.z_m);
-            write_members(all, &SprayDroplet::velocity_x_mps, to.velocity_x_mps);
-            write_members(all, &SprayDroplet::velocity_y_mps, to.velocity_y_mps);
-            write_members(all, &SprayDroplet::velocity_z_mps, to.velocity_z_mps);
-            write_members(all, &SprayDroplet::radius_m, to.radius_m);
-            write_members(all, &SprayDroplet::opacity, to.opacity);
-            write_members(all, &SprayDroplet::age_s, to.age_s);
-        }
-        there = all.size();
-    });
-}
-
-pelagic_status pelagic_ocean_spray_hash(const pelagic_ocean* ocean, uint64_t* hash) {
-    return guarded([&] {
-        const Frame& frame = shown_frame(ocean);
-        needed(hash, "hash") = spray_hash_of(frame);
     });
 }
 

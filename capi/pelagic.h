@@ -20,7 +20,8 @@
  * Results are bit-identical to those of the C++ interface.
  *
  * Conventions. SI units, named in each field; right-handed axes, +y up, rest level y = 0; radians. Ranges of values
- * stand in brackets. Hashes have 64 bits: equal ones on two machines mean bit-identical results.
+ * stand in brackets; x_m and z_m of functions are in [-1e8, 1e8]. Hashes have 64 bits: equal ones on two machines
+ * mean bit-identical results.
  *
  * Errors. Every function that can fail returns a pelagic_status. Unless it is PELAGIC_OK, the function has changed no
  * object and written nothing but NULL for a handle that could not be created, and pelagic_last_error() describes the
@@ -122,20 +123,17 @@ enum {
 };
 
 /* Returns the message of the last call that failed on this thread: "wind_speed_mps -3 is out of range (0, 60]". It is
- * one line of UTF-8 without control characters, less than 300 bytes, and empty before the first failure. Success
- * leaves it unchanged.
- * Lifetime: valid until the next failure on this thread. */
+ * one line of UTF-8 without control characters, less than 300 bytes, and empty before the first failure. It stays
+ * valid until the next failure on this thread. */
 PELAGIC_API const char* pelagic_last_error(void);
 
-/* Receives each failure, on the thread of the call that is about to return it. The callback may call Pelagic, except
- * the function whose failure it receives. Pelagic catches and ignores what the callback throws.
- * user: the pointer given to pelagic_set_error_callback().
- * message: pelagic_last_error(). */
+/* Receives each failure with its message, on the thread of the call that is about to return it, and the pointer given
+ * to pelagic_set_error_callback(). The callback may call Pelagic, except the function whose failure it receives.
+ * Pelagic catches and ignores what the callback throws. */
 typedef void (*pelagic_error_callback)(void* user, pelagic_status status, const char* message);
 
 /* Sets the error callback of the process, which receives the failures of all threads; NULL for none, as at the start.
- * Calls in progress may still use the previous callback.
- * user: passed to the callback. */
+ * Calls in progress may still use the previous callback. */
 PELAGIC_API void pelagic_set_error_callback(pelagic_error_callback callback, void* user);
 
 /* ---- The sea --------------------------------------------------------------------------------- */
@@ -159,9 +157,9 @@ enum {
 /* end of generated */
 
 /* A sea state. Equal values and the same version of Pelagic give bit-identical seas on all machines. */
+/* generated from schema/sea.toml: c-struct */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    /* generated from schema/sea.toml: c-members */
     /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m,
      * short_wave_cutoff, wind_alignment, the swell and seed. Only the other models use wave_count and the options
      * after it. All models use the wind, whose direction is that of their waves. */
@@ -218,17 +216,14 @@ typedef struct pelagic_sea {
      * longest_wave_m. Of a pond it is above 0. */
     double wave_height_m;
     double wave_drag; /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
-    /* end of generated */
 } pelagic_sea;
-/* generated from schema/sea.toml: c-make */
 static inline pelagic_sea pelagic_sea_make(void) {
-    PELAGIC_ZEROS(pelagic_sea, sea);
-    sea.spectrum = PELAGIC_SPECTRUM_JONSWAP; sea.spreading = PELAGIC_SPREADING_DONELAN_BANNER; sea.seed = 1;
-    sea.wind_speed_mps = 12; sea.fetch_m = 100e3; sea.peak_enhancement = 3.3; sea.depth_m = 4000;
-    sea.choppiness = 0.8; sea.roughness = -1; sea.wind_alignment = 0.5; sea.swell_period_s = 12;
+    PELAGIC_ZEROS(pelagic_sea, sea); sea.spectrum = PELAGIC_SPECTRUM_JONSWAP;
+    sea.spreading = PELAGIC_SPREADING_DONELAN_BANNER; sea.seed = 1; sea.wind_speed_mps = 12;
+    sea.fetch_m = 100e3; sea.peak_enhancement = 3.3; sea.depth_m = 4000; sea.choppiness = 0.8;
+    sea.roughness = -1; sea.wind_alignment = 0.5; sea.swell_period_s = 12;
     sea.swell_spread_rad = 0.26179938779914943; sea.loop_period_s = 3600; sea.wave_strength = 1;
-    sea.wave_drag = 0.38;
-    return sea;
+    sea.wave_drag = 0.38; return sea;
 }
 /* end of generated */
 
@@ -297,7 +292,6 @@ enum {
 /* Calls job(work, i) once for each i in [0, count), on any threads, concurrently or not, and returns after all calls
  * have returned. Pelagic calls it several times a frame, from complete() or from a submitted task. Jobs need 512 KiB
  * of stack, and 1 MiB for N = 2048. A job that finds less runs on a thread created for it, which is slow.
- * user: pelagic_executor_options.user.
  * Errors: if the function throws, or returns before all jobs are done, Pelagic runs the remaining jobs and complete()
  *   returns PELAGIC_APPLICATION_ERROR. That frame or sea is lost; the ocean remains usable. A job that is called
  *   twice, or after the function has returned, does nothing as long as the ocean exists. */
@@ -335,8 +329,7 @@ PELAGIC_API void pelagic_executor_destroy(pelagic_executor* executor);
 
 /* Sets how long threads look for work before they sleep. 0 saves battery; then frames take longer. Has no effect on
  * executors without threads of their own, or with more threads than cores.
- * us: microseconds; [0, 1000]; 20 at first.
- * Threads: any. */
+ * us: microseconds; [0, 1000]; 20 at first. Threads: any. */
 PELAGIC_API pelagic_status pelagic_executor_set_spin_us(pelagic_executor* executor, int32_t us);
 
 /* ---- The ocean ------------------------------------------------------------------------------- */
@@ -414,19 +407,14 @@ PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
 /* A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and commands of
  * dynamic waves use positions in the world. Frames, their hashes and views are in the water's frame, whose origin
  * lies at (current_x_mps t, sea_level_m, current_z_mps t) in the world. */
+/* generated from schema/water_frame.toml: c-struct */
 typedef struct pelagic_water_frame {
     uint32_t struct_size;
-    /* generated from schema/water_frame.toml: c-members */
     double sea_level_m;   /* height of still water; [-1000, 1000] */
     double current_x_mps; /* velocity of the water along x; [-10, 10] */
     double current_z_mps; /* velocity of the water along z; [-10, 10] */
-    /* end of generated */
 } pelagic_water_frame;
-/* generated from schema/water_frame.toml: c-make */
-static inline pelagic_water_frame pelagic_water_frame_make(void) {
-    PELAGIC_ZEROS(pelagic_water_frame, frame);
-    return frame;
-}
+static inline pelagic_water_frame pelagic_water_frame_make(void) { PELAGIC_MAKE(pelagic_water_frame); }
 /* end of generated */
 
 /* Sets the sea level and the current of frames that are scheduled from now on, and the current of the ocean's dynamic
@@ -493,7 +481,8 @@ typedef struct pelagic_frame {
     float foam_age[16]; /* 1 and more: the snapshot has no effect */
     uint64_t number;      /* of the frame, for pelagic_points.frame; from 1 on */
     double wave_height_m; /* significant wave height, mean over all seeds */
-    /* In the order of pelagic_ocean_droplets(); NULL without pelagic_ocean_options.spray. */
+    /* Droplets of emitters, then those of crests, each with the newest first, at most 8192; NULL without
+     * pelagic_ocean_options.spray. Droplets below the water are not removed. */
     const struct pelagic_droplet* droplets;
     size_t droplet_count;
 } pelagic_frame;
@@ -578,16 +567,14 @@ typedef struct pelagic_texture_targets {
 } pelagic_texture_targets;
 static inline pelagic_texture_targets pelagic_texture_targets_make(void) { PELAGIC_MAKE(pelagic_texture_targets); }
 
-/* Starts a frame as pelagic_ocean_schedule(), with textures in memory of the application.
- * targets: an array with one struct for each cascade; the memory must stay valid until complete() returns. In the
- *   frame and its cascades the pointers of these textures are NULL, and pelagic_ocean_hash() leaves the textures out.
- * Errors: as pelagic_ocean_schedule(). */
+/* Starts a frame as pelagic_ocean_schedule(), with textures in memory of the application, which must stay valid until
+ * complete() returns. In the frame and its cascades the pointers of these textures are NULL, and hashes leave the
+ * textures out. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
                                                        const pelagic_texture_targets* targets);
 
-/* Reports whether complete() would return without waiting for other threads. Never blocks. Do not spin on it: if
- * other work occupies the threads, complete() may have to do the work.
- * is_ready: receives 1 if complete() would not wait or no frame is in flight, else 0. */
+/* Writes 1 if complete() would not wait for other threads or no frame is in flight, else 0. Never blocks. Do not spin
+ * on it: if other work occupies the threads, complete() may have to do the work. */
 PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready);
 
 /* Completes the frame in flight and writes its description. The calling thread takes part in the work.
@@ -598,9 +585,8 @@ PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_
  *   So it remains valid while the next frame is computed. */
 PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
 
-/* Writes the description of a cascade of the frame completed last, also while the next frame is computed. What it
- * points to is valid as long as the frame's pointers.
- * index: [0, cascade_count); 0 is the coarsest cascade. */
+/* Writes the description of a cascade, [0, cascade_count), of the frame completed last, also while the next frame is
+ * computed. What it points to is valid as long as the frame's pointers. */
 PELAGIC_API pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, pelagic_cascade* cascade);
 
 /* Memory that receives the planes and textures of a cascade. A NULL pointer leaves that array out. Counts are exact,
@@ -621,37 +607,24 @@ typedef struct pelagic_frame_buffers {
 } pelagic_frame_buffers;
 static inline pelagic_frame_buffers pelagic_frame_buffers_make(void) { PELAGIC_MAKE(pelagic_frame_buffers); }
 
-/* Copies the frame completed last, also while the next frame is computed. Planes are written in tight rows, and
- * chains with all levels.
- * Errors: PELAGIC_INVALID_ARGUMENT for wrong counts. */
+/* Copies the frame completed last, also while the next is computed: planes in tight rows, chains with all levels. */
 PELAGIC_API pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers);
 
-/* Computes a frame synchronously and writes it to the caller's memory; for servers and replays.
- * time_s: any finite time.
- * bounds: receives the frame's bounds; may be NULL.
- * The frame completed last stays valid, and queries continue to read it. Before the first pelagic_ocean_complete(),
- * queries, cascade, copy and hash read the frame computed here.
- * Errors: as pelagic_ocean_copy(), pelagic_ocean_schedule() and pelagic_ocean_complete(). */
+/* Computes a frame synchronously and writes it to the caller's memory, and its bounds unless NULL; for servers and
+ * replays. The frame completed last stays valid, and queries continue to read it. Before the first
+ * pelagic_ocean_complete(), queries, cascade, copy and hash read the frame computed here.
+ * Errors: as pelagic_ocean_schedule() and pelagic_ocean_complete(). */
 PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s,
                                                   const pelagic_frame_buffers* buffers, pelagic_bounds* bounds);
 
-/* Computes the hash of the outputs of the frame completed last, without its velocities, foam, shore, dynamic waves
- * and droplets. Frames with and without planes have different hashes. */
-PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash);
-
-/* Computes the hash of the foam of the frame's cascades. */
-PELAGIC_API pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash);
-
+/* What a hash of a frame covers. FRAME: all outputs but velocities and what the others cover; it differs between
+ * frames with and without planes. */
 enum {
-    PELAGIC_HASH_FRAME = 0,
-    PELAGIC_HASH_FOAM = 1,
-    PELAGIC_HASH_DYNAMIC_WAVES = 2,
-    PELAGIC_HASH_SHORE = 3,
+    PELAGIC_HASH_FRAME = 0, PELAGIC_HASH_FOAM = 1, PELAGIC_HASH_DYNAMIC_WAVES = 2, PELAGIC_HASH_SHORE = 3,
     PELAGIC_HASH_SPRAY = 4
 };
 
-/* Computes one of the hashes of a frame, PELAGIC_HASH_...; `frame` as pelagic_points.frame.
- * Threads: any. */
+/* Computes the hash of kind PELAGIC_HASH_... of a frame; `frame` as pelagic_points.frame. Threads: any. */
 PELAGIC_API pelagic_status pelagic_ocean_frame_hash(const pelagic_ocean* ocean, uint64_t frame, int32_t kind,
                                                     uint64_t* hash);
 
@@ -664,8 +637,7 @@ PELAGIC_API pelagic_status pelagic_ocean_frame_hash(const pelagic_ocean* ocean, 
  *   PELAGIC_WRONG_ORDER if another sea is being computed. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea);
 
-/* Reports whether pelagic_ocean_complete_sea() would return without waiting for other threads. Never blocks.
- * is_ready: receives 1 if it would not wait or no sea is being computed, else 0. */
+/* Writes 1 if pelagic_ocean_complete_sea() would not wait or no sea is being computed, else 0. Never blocks. */
 PELAGIC_API pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready);
 
 /* Waits for the spectrum and makes the new sea current, for frames scheduled from now on. Discards all changes of the
@@ -703,10 +675,8 @@ typedef struct pelagic_forecast {
 } pelagic_forecast;
 static inline pelagic_forecast pelagic_forecast_make(void) { PELAGIC_MAKE(pelagic_forecast); }
 
-/* Creates an ocean with a forecast. The spectra of later seas are computed together with frames, before frames need
- * them. After a jump in time a frame may wait for one.
- * options: may be NULL.
- * Errors: as pelagic_ocean_create(); PELAGIC_INVALID_ARGUMENT for an invalid forecast. */
+/* Creates an ocean with a forecast; options may be NULL. The spectra of later seas are computed together with frames,
+ * before frames need them. After a jump in time a frame may wait for one. */
 PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast* forecast,
                                                          const pelagic_ocean_options* options, pelagic_ocean** ocean);
 
@@ -742,9 +712,9 @@ enum {
 
 /* Frames, bounds and queries of an ocean include its dynamic waves. The waves advance in ticks of a fixed length.
  * Equal commands between frames of equal times give bit-identical waves on every machine. */
+/* generated from schema/dynamic_waves.toml: c-struct */
 typedef struct pelagic_dynamic_waves_options {
     uint32_t struct_size;
-    /* generated from schema/dynamic_waves.toml: c-members */
     int32_t step;        /* PELAGIC_DYNAMIC_WAVES_...; how a tick advances the waves */
     int32_t resolution;  /* N, texels along a side; 64, 128, 256, 512 or 1024 */
     int32_t ticks_per_s; /* ticks of the simulation a second; [10, 240] */
@@ -758,15 +728,11 @@ typedef struct pelagic_dynamic_waves_options {
     double wave_speed_mps;
     double decay_per_s;   /* decay rate of amplitudes; [0, 10] */
     double foam_height_m; /* foam begins above this height and is full at twice it; [0.001, 100] */
-    /* end of generated */
 } pelagic_dynamic_waves_options;
-/* generated from schema/dynamic_waves.toml: c-make */
 static inline pelagic_dynamic_waves_options pelagic_dynamic_waves_options_make(void) {
-    PELAGIC_ZEROS(pelagic_dynamic_waves_options, options);
-    options.resolution = 256; options.ticks_per_s = 60; options.side_m = 64; options.border_m = 12;
-    options.depth_m = 1e4; options.viscosity_m2ps = 2e-3; options.wave_speed_mps = 3;
-    options.decay_per_s = 0.01; options.foam_height_m = 0.2;
-    return options;
+    PELAGIC_ZEROS(pelagic_dynamic_waves_options, options); options.resolution = 256; options.ticks_per_s = 60;
+    options.side_m = 64; options.border_m = 12; options.depth_m = 1e4; options.viscosity_m2ps = 2e-3;
+    options.wave_speed_mps = 3; options.decay_per_s = 0.01; options.foam_height_m = 0.2; return options;
 }
 /* end of generated */
 
@@ -793,9 +759,9 @@ enum {
 /* end of generated */
 
 /* A disturbance of the water: an impulse, or a source that acts in every tick. */
+/* generated from schema/disturbance.toml: c-struct */
 typedef struct pelagic_disturbance {
     uint32_t struct_size;
-    /* generated from schema/disturbance.toml: c-members */
     int32_t shape;                         /* PELAGIC_SHAPE_...; shape */
     int32_t mode;                          /* PELAGIC_DISTURBANCE_...; what the shape does to the water */
     double x_m, z_m;                       /* initial position in the world; [-1e8, 1e8] */
@@ -805,13 +771,10 @@ typedef struct pelagic_disturbance {
     double height_m;                       /* height of the shape, below 0 for a floating hull; [-100, 100] */
     double rate_per_s;                     /* rate of a relaxation; (0, 1000] */
     double velocity_x_mps, velocity_z_mps; /* velocity of a source until it is replaced; [-1000, 1000] */
-    /* end of generated */
 } pelagic_disturbance;
-/* generated from schema/disturbance.toml: c-make */
 static inline pelagic_disturbance pelagic_disturbance_make(void) {
-    PELAGIC_ZEROS(pelagic_disturbance, disturbance);
-    disturbance.radius_m = 1; disturbance.length_m = 1; disturbance.rate_per_s = 10;
-    return disturbance;
+    PELAGIC_ZEROS(pelagic_disturbance, disturbance); disturbance.radius_m = 1; disturbance.length_m = 1;
+    disturbance.rate_per_s = 10; return disturbance;
 }
 /* end of generated */
 
@@ -844,17 +807,14 @@ PELAGIC_API void pelagic_dynamic_waves_destroy(pelagic_dynamic_waves* waves);
 /* Returns the waves of pelagic_ocean_options.dynamic_waves, which the ocean owns and advances with its frames. */
 PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(pelagic_ocean* ocean, pelagic_dynamic_waves** waves);
 
-/* Enqueues a disturbance that acts once, in the next tick. At most 4096 impulses wait for a tick. Impulses before an
- * advance to a time that is not later than the one before are provisional: the next such advance with impulses
- * replaces them.
- * Errors: PELAGIC_INVALID_ARGUMENT for too many impulses. */
+/* Enqueues a disturbance that acts once, in the next tick. At most 4096 impulses may wait for a tick. Impulses before
+ * an advance to a time that is not later than the one before are provisional: the next such advance with impulses
+ * replaces them. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_add_impulse(pelagic_dynamic_waves* waves,
                                                              const pelagic_disturbance* disturbance);
 
-/* Adds a source, which acts in every tick and moves at its velocity, until it is removed. At most 4096 sources exist
- * at once.
- * number: receives the source's number, which is never reused.
- * Errors: PELAGIC_INVALID_ARGUMENT for too many sources. */
+/* Adds a source, which acts in every tick and moves at its velocity, until it is removed. At most 4096 sources may
+ * exist at once. `number` receives the source's number, which is never reused. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_add_source(pelagic_dynamic_waves* waves,
                                                             const pelagic_disturbance* source, uint32_t* number);
 
@@ -865,22 +825,20 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_set_source(pelagic_dynamic_wave
 /* Removes a source. Does nothing if no source has that number. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_remove_source(pelagic_dynamic_waves* waves, uint32_t number);
 
-/* Moves the grid's centre to within half a texel of a point. Texels that enter the grid are flat.
- * x_m, z_m: [-1e8, 1e8]. */
+/* Moves the grid's centre to within half a texel of a point. Texels that enter the grid are flat. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_center(pelagic_dynamic_waves* waves, double x_m, double z_m);
 
-/* Sets the current, which carries the grid. Positions and velocities of commands are then in the world, and those of
- * views in the water's frame. Set the centre again to keep the grid at a point. pelagic_ocean_set_water_frame() sets
- * the current of an ocean's waves. A saved state does not include it.
- * x_mps, z_mps: [-10, 10]. */
+/* Sets the current, each component in [-10, 10], which carries the grid. Positions and velocities of commands are
+ * then in the world, and those of views in the water's frame. Set the centre again to keep the grid at a point. A
+ * saved state does not include it. pelagic_ocean_set_water_frame() sets the current of an ocean's waves. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_current(pelagic_dynamic_waves* waves, double x_mps,
                                                              double z_mps);
 
 /* Rain. Each drop adds a crater and a rim of equal volume, height_m (q - 1) e^-q with q = (r / radius_m)^2. The drops
  * depend only on the seed, the tick and the position in the world. */
+/* generated from schema/rain.toml: c-struct */
 typedef struct pelagic_rain {
     uint32_t struct_size;
-    /* generated from schema/rain.toml: c-members */
     uint32_t seed; /* seed of the drops */
     /* Mean number of drops, at most the value that puts 16 on a texel in a tick; a finite number. 0: no rain. */
     double drops_per_m2_s;
@@ -888,22 +846,17 @@ typedef struct pelagic_rain {
      * wide on the grid, flatter and with equal volume. */
     double radius_m;
     double height_m; /* depth of a crater; [-10, 10] */
-    /* end of generated */
 } pelagic_rain;
-/* generated from schema/rain.toml: c-make */
 static inline pelagic_rain pelagic_rain_make(void) {
-    PELAGIC_ZEROS(pelagic_rain, rain);
-    rain.seed = 1; rain.radius_m = 0.25; rain.height_m = 0.02;
-    return rain;
+    PELAGIC_ZEROS(pelagic_rain, rain); rain.seed = 1; rain.radius_m = 0.25; rain.height_m = 0.02; return rain;
 }
 /* end of generated */
 
 /* Sets the rain from the next tick on. Saved states include it. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_set_rain(pelagic_dynamic_waves* waves, const pelagic_rain* rain);
 
-/* Computes the ticks up to a time. A time before that of the last call computes no tick, and later ticks are counted
- * from it. A jump ahead computes the ticks of at most half a second.
- * time_s: finite.
+/* Computes the ticks up to a finite time. A time before that of the last call computes no tick, and later ticks are
+ * counted from it. A jump ahead computes the ticks of at most half a second.
  * Errors: PELAGIC_WRONG_ORDER for the waves of an ocean, whose frames advance them. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_advance(pelagic_dynamic_waves* waves, double time_s);
 
@@ -937,8 +890,7 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_hash(const pelagic_dynamic_wave
 PELAGIC_API pelagic_status pelagic_dynamic_waves_save_state(const pelagic_dynamic_waves* waves, uint8_t* bytes,
                                                             size_t room, size_t* count);
 
-/* Restores a state saved with equal options. Discards commands since the last advance.
- * Errors: PELAGIC_INVALID_ARGUMENT if the options differ. */
+/* Restores a state, which must have been saved with equal options. Discards commands since the last advance. */
 PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_waves* waves, const uint8_t* bytes,
                                                                size_t count);
 
@@ -947,26 +899,23 @@ PELAGIC_API pelagic_status pelagic_dynamic_waves_restore_state(pelagic_dynamic_w
 /* Droplets that leave breaking crests near a centre, and droplets of emitters. Each stands for a clump of drops.
  * Droplets of crests are a function of the sea, the time in the loop and the centre, on every machine. Those of
  * emitters are state, which can be saved. */
+/* generated from schema/spray_options.toml: c-struct */
 typedef struct pelagic_spray_options {
     uint32_t struct_size;
-    /* generated from schema/spray_options.toml: c-members */
     uint32_t seed;  /* seed of the droplets */
     double reach_m; /* spray leaves crests within this distance of the centre; [10, 200] */
     double amount;  /* factor on the number of droplets of crests; [0, 10] */
-    /* end of generated */
 } pelagic_spray_options;
-/* generated from schema/spray_options.toml: c-make */
 static inline pelagic_spray_options pelagic_spray_options_make(void) {
-    PELAGIC_ZEROS(pelagic_spray_options, options);
-    options.seed = 1; options.reach_m = 80; options.amount = 1;
+    PELAGIC_ZEROS(pelagic_spray_options, options); options.seed = 1; options.reach_m = 80; options.amount = 1;
     return options;
 }
 /* end of generated */
 
 /* Droplets that leave a ball at once, for instance at the bow of a ship; in the world. */
+/* generated from schema/spray_emitter.toml: c-struct */
 typedef struct pelagic_spray_emitter {
     uint32_t struct_size;
-    /* generated from schema/spray_emitter.toml: c-members */
     int32_t count;                                         /* number of droplets; [0, 8192] */
     double time_s;                                         /* time at which they leave; [-1e9, 1e9] */
     double x_m, y_m, z_m;                                  /* centre of the ball; [-1e8, 1e8] */
@@ -975,19 +924,15 @@ typedef struct pelagic_spray_emitter {
     double spread_mps;                                     /* largest deviation from the mean velocity; [0, 100] */
     double radius_m;                                       /* radius of a droplet as it leaves; [0.001, 1] */
     double drop_mm;                                        /* diameter of drops, which sets the drag; [0.1, 5] */
-    /* end of generated */
 } pelagic_spray_emitter;
-/* generated from schema/spray_emitter.toml: c-make */
 static inline pelagic_spray_emitter pelagic_spray_emitter_make(void) {
-    PELAGIC_ZEROS(pelagic_spray_emitter, emitter);
-    emitter.count = 1; emitter.radius_m = 0.05; emitter.drop_mm = 1;
-    return emitter;
+    PELAGIC_ZEROS(pelagic_spray_emitter, emitter); emitter.count = 1; emitter.radius_m = 0.05;
+    emitter.drop_mm = 1; return emitter;
 }
 /* end of generated */
 
 /* Sets the centre of the spray of crests, usually the camera, in the world. It takes effect at the next schedule, for
- * the ticks computed from then on. It is the origin at first.
- * x_m, z_m: [-1e8, 1e8]. */
+ * the ticks computed from then on. It is the origin at first. */
 PELAGIC_API pelagic_status pelagic_ocean_set_spray_center(pelagic_ocean* ocean, double x_m, double z_m);
 
 /* Adds droplets of emitters to frames that are scheduled from now on. The ocean keeps them for jumps in time; of more
@@ -1004,29 +949,6 @@ typedef struct pelagic_droplet {
     float opacity; /* at the middle of the droplet, [0, 1] */
     float age_s;   /* since it left the water, [0, 1.5) */
 } pelagic_droplet;
-
-/* Arrays of the application for droplets, in the world. NULL: not written. */
-typedef struct pelagic_droplets {
-    uint32_t struct_size;
-    size_t room; /* size of each array; 8192 are always enough */
-    double *x_m, *y_m, *z_m;
-    float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
-    float* radius_m;
-    float* opacity; /* at the middle of the droplet, [0, 1] */
-    float* age_s;   /* since it left the water, [0, 1.5) */
-} pelagic_droplets;
-static inline pelagic_droplets pelagic_droplets_make(void) { PELAGIC_MAKE(pelagic_droplets); }
-
-/* Writes the droplets of the frame completed last: first those of emitters, then those of crests, each with the
- * newest first. Droplets below the water are not removed.
- * droplets: NULL to obtain only the count.
- * count: receives the number of droplets, at most 8192.
- * Errors: PELAGIC_INVALID_ARGUMENT if the room is too small. */
-PELAGIC_API pelagic_status pelagic_ocean_droplets(const pelagic_ocean* ocean, const pelagic_droplets* droplets,
-                                                  size_t* count);
-
-/* Computes the hash of the droplets of the frame completed last. */
-PELAGIC_API pelagic_status pelagic_ocean_spray_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* Saves the droplets of emitters; at most 918 KB. */
 PELAGIC_API pelagic_status pelagic_ocean_save_spray(const pelagic_ocean* ocean, uint8_t* bytes, size_t room,
@@ -1065,8 +987,7 @@ typedef struct pelagic_shore_options {
 } pelagic_shore_options;
 /* generated from schema/shore.toml: c-make */
 static inline pelagic_shore_options pelagic_shore_options_make(void) {
-    PELAGIC_ZEROS(pelagic_shore_options, options);
-    options.resolution = 256; options.metres_per_sample = 1;
+    PELAGIC_ZEROS(pelagic_shore_options, options); options.resolution = 256; options.metres_per_sample = 1;
     return options;
 }
 /* end of generated */
@@ -1097,13 +1018,10 @@ typedef struct pelagic_shore_surface {
 /* Writes a description of the shore of the frame completed last, with pointers valid as long as the frame's. */
 PELAGIC_API pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_surface* surface);
 
-/* Computes the hash of the shore of the frame completed last. */
-PELAGIC_API pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash);
-
 /* ---- Wave inputs ----------------------------------------------------------------------------- */
 
 /* A wave input, which adds waves to the cascades themselves. So normals, bounds, foam, queries and textures include
- * them, and they repeat with their cascade. They change pelagic_ocean_hash(). An input belongs to one ocean. Its
+ * them, and they repeat with their cascade. They change PELAGIC_HASH_FRAME. An input belongs to one ocean. Its
  * values take effect at the next schedule. PELAGIC_INVALID_ARGUMENT: a set function of another kind of input. */
 typedef struct pelagic_input pelagic_input;
 
@@ -1120,9 +1038,7 @@ typedef struct pelagic_waves {
     double choppiness;
 } pelagic_waves;
 static inline pelagic_waves pelagic_waves_make(void) {
-    PELAGIC_ZEROS(pelagic_waves, waves);
-    waves.choppiness = 1;
-    return waves;
+    PELAGIC_ZEROS(pelagic_waves, waves); waves.choppiness = 1; return waves;
 }
 
 /* Creates an input of Gerstner waves. */
@@ -1134,9 +1050,9 @@ PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const p
 /* Rings that run outwards from a point, in the cascade that holds waves of their length L. The height is, with
  * q^2 = r^2 + (L / 2)^2,
  *   amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase). */
+/* generated from schema/ripple.toml: c-struct */
 typedef struct pelagic_ripple {
     uint32_t struct_size;
-    /* generated from schema/ripple.toml: c-members */
     double x_m, z_m;     /* centre; [-1e8, 1e8] */
     double wavelength_m; /* wavelength; [0.01, 1000] */
     double amplitude_m;  /* amplitude at the centre, at most wavelength_m / (2 pi), a slope of 1; [0, 100] */
@@ -1144,13 +1060,9 @@ typedef struct pelagic_ripple {
      * side. */
     double reach_m;
     double phase_rad; /* phase at the centre at t = 0, where 0 is a crest; [-2 pi, 2 pi] */
-    /* end of generated */
 } pelagic_ripple;
-/* generated from schema/ripple.toml: c-make */
 static inline pelagic_ripple pelagic_ripple_make(void) {
-    PELAGIC_ZEROS(pelagic_ripple, ripple);
-    ripple.wavelength_m = 1;
-    return ripple;
+    PELAGIC_ZEROS(pelagic_ripple, ripple); ripple.wavelength_m = 1; return ripple;
 }
 /* end of generated */
 
@@ -1177,7 +1089,6 @@ typedef struct pelagic_input_rows {
 } pelagic_input_rows;
 
 /* Writes the waves of some rows.
- * user: pelagic_input_callback.user.
  * Errors: if the function throws, complete() returns PELAGIC_APPLICATION_ERROR; if it writes a value out of range,
  *   PELAGIC_INVALID_ARGUMENT. That frame is lost; the ocean remains usable.
  * Threads: called from any thread, for several rows and cascades at once. */
@@ -1278,8 +1189,7 @@ typedef struct pelagic_hit {
     float normal[3]; /* upper normal of the surface, whichever side is hit */
 } pelagic_hit;
 
-/* Finds the first intersection of a ray with the surface of a frame.
- * Threads: any. The call allocates nothing and never waits. */
+/* Finds the first hit of a ray on a frame's surface. The call allocates nothing and never waits. Threads: any. */
 PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray,
                                                    pelagic_hit* hit);
 
@@ -1332,11 +1242,10 @@ typedef struct pelagic_hull_options {
 } pelagic_hull_options;
 /* generated from schema/hull.toml: c-make */
 static inline pelagic_hull_options pelagic_hull_options_make(void) {
-    PELAGIC_ZEROS(pelagic_hull_options, options);
-    options.heave_damping = 0.2; options.roll_damping = 0.05; options.pressure_coefficient = 0.7;
-    options.suction_coefficient = 0.35; options.friction_coefficient = 4e-3; options.air_coefficient = 1;
-    options.water_density_kgpm3 = 1025; options.air_density_kgpm3 = 1.225;
-    return options;
+    PELAGIC_ZEROS(pelagic_hull_options, options); options.heave_damping = 0.2; options.roll_damping = 0.05;
+    options.pressure_coefficient = 0.7; options.suction_coefficient = 0.35;
+    options.friction_coefficient = 4e-3; options.air_coefficient = 1; options.water_density_kgpm3 = 1025;
+    options.air_density_kgpm3 = 1.225; return options;
 }
 /* end of generated */
 
@@ -1387,7 +1296,6 @@ typedef struct pelagic_hull_state {
 
 /* Writes the state of a hull that is upright and at rest in still water. The mesh's origin is at the position minus
  * the rotated centre_of_mass_m of pelagic_hull_info.
- * x_m, z_m: [-1e8, 1e8].
  * heading_rad: angle of the hull's x axis, from +x to +z; finite.
  * Threads: any. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_at_rest(const pelagic_hull* hull, double x_m, double z_m,
@@ -1424,8 +1332,7 @@ typedef struct pelagic_hull_loads {
 
 /* Computes the loads of a state in the water of the frame completed last, and stores in the state what the next call
  * depends on. For a physics engine that integrates positions: it sets pose and velocities and applies the total.
- * state: successive calls are step_s apart.
- * step_s: at least 0; drag is that of an implicit step of this length, so that an explicit integrator remains stable.
+ * step_s: time between calls, at least 0. Drag is that of an implicit step, so that explicit integrators are stable.
  * inputs: only the wind is used; NULL: no wind.
  * Threads: one thread per hull; also while another thread calls functions of the ocean. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_compute_loads(pelagic_hull* hull, const pelagic_ocean* ocean,
@@ -1436,8 +1343,7 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_compute_loads(pelagic_hull* hul
 /* Computes the loads as pelagic_hull_compute_loads(), and the velocities of the state after a step under them, the
  * weight and the inputs, with mass and added mass. For a physics engine without added mass: it sets the body's
  * velocities to the result.
- * inputs: NULL: none.
- * loads: may be NULL.
+ * inputs, loads: may be NULL.
  * Threads: as pelagic_hull_compute_loads(). */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_hull_accelerate(pelagic_hull* hull, const pelagic_ocean* ocean,
                                                             pelagic_hull_state* state, double step_s,
@@ -1472,8 +1378,7 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_create(pelagic_ocean* ocean, 
 PELAGIC_EXPERIMENTAL void pelagic_bodies_destroy(pelagic_bodies* bodies);
 
 /* Adds a body without inputs. The set keeps the hull, also for pelagic_bodies_restore_state() after the body is
- * removed.
- * number: receives the number of the body, which is never reused.
+ * removed. `number` receives the number of the body, which is never reused.
  * Errors: PELAGIC_INVALID_ARGUMENT with wakes for a hull longer than 1000 m and for too many sources of waves. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_add(pelagic_bodies* bodies, const pelagic_hull* hull,
                                                        const pelagic_hull_state* state, uint32_t* number);

@@ -18,7 +18,8 @@ bool print_frames(pelagic_ocean* ocean) {
         pelagic_frame frame = {};
         std::uint64_t hash = 0;
         if (pelagic_ocean_schedule(ocean, time_s) != PELAGIC_OK ||
-            pelagic_ocean_complete(ocean, &frame) != PELAGIC_OK || pelagic_ocean_hash(ocean, &hash) != PELAGIC_OK)
+            pelagic_ocean_complete(ocean, &frame) != PELAGIC_OK ||
+            pelagic_ocean_frame_hash(ocean, frame.number, PELAGIC_HASH_FRAME, &hash) != PELAGIC_OK)
             return false;
         std::printf("default@%g %" PRIx64 "\n", time_s, hash);
     }

@@ -44,13 +44,6 @@ pelagic_points golden_points(std::int32_t interpolation = PELAGIC_INTERPOLATION_
     return points;
 }
 
-template <class Object>
-std::uint64_t hash_by(pelagic_status (*function)(const Object*, std::uint64_t*), const Object* of) {
-    std::uint64_t hash = 0;
-    EXPECT_EQ(function(of, &hash), PELAGIC_OK) << pelagic_last_error();
-    return hash;
-}
-
 TEST(CInterfaceGolden, Spray) {
     pelagic_sea sea = golden_sea();
     sea.wind_speed_mps = 18;
@@ -63,29 +56,18 @@ TEST(CInterfaceGolden, Spray) {
     bow.time_s = 2, bow.x_m = 1, bow.y_m = 2, bow.z_m = -4, bow.extent_m = 0.5;
     bow.velocity_x_mps = 3, bow.velocity_y_mps = 4, bow.spread_mps = 1, bow.radius_m = 0.0625, bow.count = 10;
     ASSERT_EQ(pelagic_ocean_emit(ocean.get(), &bow, 1), PELAGIC_OK) << pelagic_last_error();
-    std::array<std::vector<double>, 3> place;
-    std::array<std::vector<float>, 6> of;
-    auto arrays = pelagic_droplets_make();
     GoldenRows hashes("spray"), droplets("droplet");
     for (const std::string time : {"2.0625", "7.25"}) {
-        complete(ocean, std::stod(time));
-        std::size_t count = 0;
-        ASSERT_EQ(pelagic_ocean_droplets(ocean.get(), nullptr, &count), PELAGIC_OK) << pelagic_last_error();
-        for (auto& values : place) values.resize(count);
-        for (auto& values : of) values.resize(count);
-        arrays.x_m = place[0].data(), arrays.y_m = place[1].data(), arrays.z_m = place[2].data();
-        arrays.velocity_x_mps = of[0].data(), arrays.velocity_y_mps = of[1].data();
-        arrays.velocity_z_mps = of[2].data();
-        arrays.radius_m = of[3].data(), arrays.opacity = of[4].data(), arrays.age_s = of[5].data();
-        arrays.room = count - 1;
-        EXPECT_EQ(pelagic_ocean_droplets(ocean.get(), &arrays, &count), PELAGIC_INVALID_ARGUMENT);
-        arrays.room = count;
-        ASSERT_EQ(pelagic_ocean_droplets(ocean.get(), &arrays, &count), PELAGIC_OK) << pelagic_last_error();
-        hashes.row(time, {hash_by(pelagic_ocean_spray_hash, ocean.get()), std::uint64_t{count}});
+        const pelagic_frame frame = complete(ocean, std::stod(time));
+        const std::size_t count = frame.droplet_count;
+        ASSERT_GT(count, 0u);
+        hashes.row(time, {hash_of(ocean.get(), PELAGIC_HASH_SPRAY), std::uint64_t{count}});
         for (const std::size_t i : {std::size_t{0}, count - 1}) {
+            const pelagic_droplet& droplet = frame.droplets[i];
             droplets.begin(time + (i == 0 ? "-first" : "-last"));
-            for (const auto& values : place) droplets.add(values[i]);
-            for (const auto& values : of) droplets.add(values[i]);
+            for (const double place : droplet.position_m) droplets.add(place);
+            for (const float velocity : droplet.velocity_mps) droplets.add(velocity);
+            for (const float value : {droplet.radius_m, droplet.opacity, droplet.age_s}) droplets.add(value);
         }
     }
     hashes.expect();
@@ -100,13 +82,13 @@ TEST(CInterfaceGolden, Spray) {
     ASSERT_EQ(pelagic_ocean_set_spray_center(other.get(), 5, -3), PELAGIC_OK);
     complete(other, 2.0625);
     complete(ocean, 2.0625);
-    EXPECT_EQ(hash_by(pelagic_ocean_spray_hash, other.get()), hash_by(pelagic_ocean_spray_hash, ocean.get()));
+    EXPECT_EQ(hash_of(other.get(), PELAGIC_HASH_SPRAY), hash_of(ocean.get(), PELAGIC_HASH_SPRAY));
     bow.count = -1;
     EXPECT_EQ(pelagic_ocean_emit(ocean.get(), &bow, 1), PELAGIC_INVALID_ARGUMENT);
     EXPECT_STREQ(pelagic_last_error(), "emitters[0].count -1 is out of range [0, 8192]");
     complete(without, 0);
     std::uint64_t hash = 0;
-    EXPECT_EQ(pelagic_ocean_spray_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_ocean_frame_hash(without.get(), 0, PELAGIC_HASH_SPRAY, &hash), PELAGIC_INVALID_ARGUMENT);
     EXPECT_STREQ(pelagic_last_error(), "the ocean has no spray: it was created without pelagic_ocean_options.spray");
 }
 
@@ -148,9 +130,9 @@ TEST(CInterfaceGolden, AnOceanWithDynamicWavesAndAShore) {
         if (tick == 40) then(pelagic_dynamic_waves_set_rain(waves, &dry));
         complete(ocean, tick / 60.0);
         if (tick % 10 == 0)
-            hashes.row(std::to_string(tick), {hash_of(ocean.get()), hash_by(pelagic_ocean_foam_hash, ocean.get()),
-                                              hash_by(pelagic_dynamic_waves_hash, waves),
-                                              hash_by(pelagic_ocean_shore_hash, ocean.get())});
+            hashes.row(std::to_string(tick), {hash_of(ocean.get()), hash_of(ocean.get(), PELAGIC_HASH_FOAM),
+                                              hash_of(ocean.get(), PELAGIC_HASH_DYNAMIC_WAVES),
+                                              hash_of(ocean.get(), PELAGIC_HASH_SHORE)});
     }
     ASSERT_EQ(status, PELAGIC_OK) << pelagic_last_error();
     hashes.expect();

@@ -61,13 +61,14 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
                                                         .foam = has_all});
         const Frame& frame = ocean.frame_at(7);
         std::uint64_t hash = 0;
-        ASSERT_EQ(pelagic_ocean_hash(made, &hash), PELAGIC_OK);
+        ASSERT_EQ(pelagic_ocean_frame_hash(made, 0, PELAGIC_HASH_FRAME, &hash), PELAGIC_OK);
         EXPECT_EQ(hash, hash_of(frame));
         ASSERT_EQ(c_frame.cascade_count, 4);
         EXPECT_EQ(c_frame.roughness, static_cast<float>(frame.statistics.roughness));
         EXPECT_EQ(c_frame.foam_drift_x_mps, frame.statistics.foam_drift_x_mps);
         EXPECT_EQ(c_frame.foam_drift_z_mps, frame.statistics.foam_drift_z_mps);
-        ASSERT_EQ(pelagic_ocean_foam_hash(made, &hash), has_all ? PELAGIC_OK : PELAGIC_INVALID_ARGUMENT);
+        ASSERT_EQ(pelagic_ocean_frame_hash(made, 0, PELAGIC_HASH_FOAM, &hash),
+                  has_all ? PELAGIC_OK : PELAGIC_INVALID_ARGUMENT);
         if (has_all)
             EXPECT_EQ(hash, foam_hash_of(frame));
         else

@@ -73,20 +73,14 @@ TEST_F(CInterfaceReads, FrameIsReadByItsNumberUntilTheSecondScheduleAfterIt) {
     EXPECT_EQ(hit.is_hit, 1);
 }
 
-TEST_F(CInterfaceReads, HashesOfKindsAreThoseOfTheirFunctions) {
-    auto options = pelagic_ocean_options_make();
-    options.foam = 1;
-    const COcean foamy = ocean_of(stack_sea(2), options);
-    const pelagic_frame frame = complete(foamy, 3);
-    std::uint64_t of_foam = 0, found = 0;
-    ASSERT_EQ(pelagic_ocean_foam_hash(foamy.get(), &of_foam), PELAGIC_OK);
-    ASSERT_EQ(pelagic_ocean_frame_hash(foamy.get(), frame.number, PELAGIC_HASH_FOAM, &found), PELAGIC_OK);
-    EXPECT_EQ(found, of_foam);
-    expect_rejected(pelagic_ocean_frame_hash(foamy.get(), 0, PELAGIC_HASH_SHORE, &found),
-                    "the frame has no shore: it was created without pelagic_ocean_options.shore");
-    expect_rejected(pelagic_ocean_frame_hash(foamy.get(), 0, PELAGIC_HASH_SPRAY, &found),
+TEST_F(CInterfaceReads, HashesOfWhatAnOceanDoesNotHaveAreRejected) {
+    complete(ocean, 3);
+    std::uint64_t found = 0;
+    expect_rejected(pelagic_ocean_frame_hash(ocean.get(), 0, PELAGIC_HASH_SHORE, &found),
+                    "the ocean has no shore: it was created without pelagic_ocean_options.shore");
+    expect_rejected(pelagic_ocean_frame_hash(ocean.get(), 0, PELAGIC_HASH_SPRAY, &found),
                     "the ocean has no spray: it was created without pelagic_ocean_options.spray");
-    expect_rejected(pelagic_ocean_frame_hash(foamy.get(), 0, 9, &found),
+    expect_rejected(pelagic_ocean_frame_hash(ocean.get(), 0, 9, &found),
                     "kind is 9, expected one of PELAGIC_HASH_...");
 }
 
@@ -167,20 +161,7 @@ TEST_F(CInterfaceReads, FrameHasItsWaveHeightSeaAndDroplets) {
     ASSERT_EQ(pelagic_ocean_sea(stormy.get(), &shown), PELAGIC_OK);
     EXPECT_EQ(shown.wind_speed_mps, 18);
 
-    std::vector<double> x(8192);
-    std::vector<float> age(8192);
-    auto arrays = pelagic_droplets_make();
-    arrays.room = 8192;
-    arrays.x_m = x.data();
-    arrays.age_s = age.data();
-    std::size_t count = 0;
-    ASSERT_EQ(pelagic_ocean_droplets(stormy.get(), &arrays, &count), PELAGIC_OK);
-    ASSERT_EQ(frame.droplet_count, count);
-    ASSERT_GT(count, 10u);
-    for (std::size_t i = 0; i < count; ++i) {
-        EXPECT_EQ(frame.droplets[i].position_m[0], x[i]);
-        EXPECT_EQ(frame.droplets[i].age_s, age[i]);
-    }
+    ASSERT_GT(frame.droplet_count, 10u);
 }
 
 TEST(CInterfaceSeas, PresetsHaveNamesAndSummaries) {

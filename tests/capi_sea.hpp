@@ -83,10 +83,10 @@ inline pelagic_frame complete(pelagic_ocean* ocean, double time_s) {
 }
 inline pelagic_frame complete(const COcean& ocean, double time_s) { return complete(ocean.get(), time_s); }
 
-/// Returns the hash of the current frame.
-inline std::uint64_t hash_of(const pelagic_ocean* ocean) {
+/// Returns a hash of the current frame.
+inline std::uint64_t hash_of(const pelagic_ocean* ocean, std::int32_t kind = PELAGIC_HASH_FRAME) {
     std::uint64_t hash = 0;
-    EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(pelagic_ocean_frame_hash(ocean, 0, kind, &hash), PELAGIC_OK) << pelagic_last_error();
     return hash;
 }
 /// Computes the frame of a time and returns its hash.

@@ -58,9 +58,7 @@ TEST_F(CInterfaceShore, IsBitIdenticalToTheCppInterface) {
                    {.executor = make_serial_executor(), .queries = true, .shore = ours});
     const Frame& frame = expected.frame_at(3.25);
 
-    std::uint64_t hash = 0;
-    ASSERT_EQ(pelagic_ocean_shore_hash(ocean.get(), &hash), PELAGIC_OK);
-    EXPECT_EQ(hash, shore_hash_of(frame));
+    EXPECT_EQ(hash_of(ocean.get(), PELAGIC_HASH_SHORE), shore_hash_of(frame));
     pelagic_shore_surface surface{};
     ASSERT_EQ(pelagic_ocean_shore(ocean.get(), &surface), PELAGIC_OK);
     EXPECT_EQ(surface.columns, frame.shore.columns);
@@ -88,8 +86,7 @@ TEST_F(CInterfaceShore, ASwashOf0IsDerived) {
     options.swash_m = 0;
     const COcean ocean = ocean_of(stack_sea(2), with(&options));
     complete(ocean, 3.25);
-    std::uint64_t hash = 0;
-    ASSERT_EQ(pelagic_ocean_shore_hash(ocean.get(), &hash), PELAGIC_OK);
+    const std::uint64_t hash = hash_of(ocean.get(), PELAGIC_HASH_SHORE);
     for (const double swash_m : {-1.0, 0.0}) {
         ours.swash_m = swash_m;
         Ocean expected({.cascades = 2, .resolution = 32}, {.executor = make_serial_executor(), .shore = ours});

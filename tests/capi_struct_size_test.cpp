@@ -161,11 +161,6 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     expect_read_in_every_size(
         emitter, [&](pelagic_spray_emitter* bow) { return pelagic_ocean_emit(water.get(), bow, 1); });
     complete(water, 0);
-    expect_read_in_every_size(pelagic_droplets_make(), [&](pelagic_droplets* arrays) {
-        std::size_t count = 0;
-        arrays->room = 8192;
-        return pelagic_ocean_droplets(water.get(), arrays, &count);
-    });
     auto water_frame = pelagic_water_frame_make();
     water_frame.sea_level_m = 2;
     expect_read_in_every_size(

@@ -190,7 +190,7 @@ TEST(CInterface, NullPointersAreNamed) {
     expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, nullptr, nullptr), "buffers is NULL");
     expect_invalid(pelagic_ocean_copy(nullptr, &buffers), "ocean is NULL");
     expect_invalid(pelagic_ocean_cascade(nullptr, 0, &cascade), "ocean is NULL");
-    expect_invalid(pelagic_ocean_hash(nullptr, &hash), "ocean is NULL");
+    expect_invalid(pelagic_ocean_frame_hash(nullptr, 0, PELAGIC_HASH_FRAME, &hash), "ocean is NULL");
     expect_invalid(pelagic_ocean_schedule_sea(nullptr, &sea), "ocean is NULL");
     expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), nullptr), "sea is NULL");
     expect_invalid(pelagic_ocean_set_water_frame(nullptr, &water), "ocean is NULL");
@@ -208,7 +208,7 @@ TEST(CInterface, NullPointersAreNamed) {
     EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << "a failed complete leaves it in flight";
     expect_invalid(pelagic_ocean_copy(ocean.get(), nullptr), "buffers is NULL");
     expect_invalid(pelagic_ocean_cascade(ocean.get(), 0, nullptr), "cascade is NULL");
-    expect_invalid(pelagic_ocean_hash(ocean.get(), nullptr), "hash is NULL");
+    expect_invalid(pelagic_ocean_frame_hash(ocean.get(), 0, PELAGIC_HASH_FRAME, nullptr), "hash is NULL");
     expect_invalid(pelagic_ocean_query(ocean.get(), nullptr, &samples), "points is NULL");
     expect_invalid(pelagic_ocean_query(ocean.get(), &points, nullptr), "samples is NULL");
     expect_invalid(pelagic_ocean_first_hit(ocean.get(), nullptr, &hit), "ray is NULL");
@@ -308,7 +308,7 @@ TEST(CInterface, CallsInTheWrongOrderFailAndChangeNothing) {
     const pelagic_sea sea = small_sea();
     std::uint64_t hash = 0;
     expect_wrong_order(pelagic_ocean_complete(ocean.get(), &frame), "no frame is in flight");
-    expect_wrong_order(pelagic_ocean_hash(ocean.get(), &hash), "no frame yet");
+    expect_wrong_order(pelagic_ocean_frame_hash(ocean.get(), 0, PELAGIC_HASH_FRAME, &hash), "no frame yet");
     expect_wrong_order(pelagic_ocean_query(ocean.get(), &points, &samples), "no frame yet");
     expect_wrong_order(pelagic_ocean_complete_sea(ocean.get()), "no sea is being baked");
     expect_wrong_order(pelagic_ocean_copy(ocean.get(), &buffers), "no frame yet");

@@ -81,7 +81,7 @@ Samples samples_of(const pelagic_ocean* ocean) {
 
 std::uint64_t hash_of(const pelagic_ocean* ocean) {
     std::uint64_t hash = 0;
-    must(pelagic_ocean_hash(ocean, &hash));
+    must(pelagic_ocean_frame_hash(ocean, 0, PELAGIC_HASH_FRAME, &hash));
     return hash;
 }
 

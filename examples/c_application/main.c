@@ -41,7 +41,7 @@ static int run(pelagic_ocean* ocean) {
         /* Computed while this frame is drawn. */
         if (failed(pelagic_ocean_schedule(ocean, n / 90.0))) return 1;
         if (failed(pelagic_ocean_query(ocean, &buoys, &wanted))) return 1;
-        if (failed(pelagic_ocean_hash(ocean, &hash))) return 1;
+        if (failed(pelagic_ocean_frame_hash(ocean, frame.number, PELAGIC_HASH_FRAME, &hash))) return 1;
         printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, cascades of", frame.time_s, (unsigned long long)hash,
                heights[0], heights[1], heights[2]);
         if (draw(ocean, &frame)) return 1;

@@ -400,22 +400,6 @@ class pelagic_droplet(ctypes.Structure):
     ]
 
 
-class pelagic_droplets(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("room", c_size_t),
-        ("x_m", c_void_p),
-        ("y_m", c_void_p),
-        ("z_m", c_void_p),
-        ("velocity_x_mps", c_void_p),
-        ("velocity_y_mps", c_void_p),
-        ("velocity_z_mps", c_void_p),
-        ("radius_m", c_void_p),
-        ("opacity", c_void_p),
-        ("age_s", c_void_p),
-    ]
-
-
 class pelagic_shore_options(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -685,7 +669,6 @@ STRUCTS = [
     pelagic_spray_options,
     pelagic_spray_emitter,
     pelagic_droplet,
-    pelagic_droplets,
     pelagic_shore_options,
     pelagic_shore_surface,
     pelagic_waves,
@@ -801,8 +784,6 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "pelagic_ocean_cascade": (c_int32, [c_void_p, c_int32, POINTER(pelagic_cascade)]),
     "pelagic_ocean_copy": (c_int32, [c_void_p, POINTER(pelagic_frame_buffers)]),
     "pelagic_ocean_frame_at": (c_int32, [c_void_p, c_double, POINTER(pelagic_frame_buffers), POINTER(pelagic_bounds)]),
-    "pelagic_ocean_hash": (c_int32, [c_void_p, c_void_p]),
-    "pelagic_ocean_foam_hash": (c_int32, [c_void_p, c_void_p]),
     "pelagic_ocean_frame_hash": (c_int32, [c_void_p, c_uint64, c_int32, c_void_p]),
     "pelagic_ocean_schedule_sea": (c_int32, [c_void_p, POINTER(pelagic_sea)]),
     "pelagic_ocean_poll_sea": (c_int32, [c_void_p, c_void_p]),
@@ -828,12 +809,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "pelagic_dynamic_waves_restore_state": (c_int32, [c_void_p, c_void_p, c_size_t]),
     "pelagic_ocean_set_spray_center": (c_int32, [c_void_p, c_double, c_double]),
     "pelagic_ocean_emit": (c_int32, [c_void_p, POINTER(pelagic_spray_emitter), c_size_t]),
-    "pelagic_ocean_droplets": (c_int32, [c_void_p, POINTER(pelagic_droplets), c_void_p]),
-    "pelagic_ocean_spray_hash": (c_int32, [c_void_p, c_void_p]),
     "pelagic_ocean_save_spray": (c_int32, [c_void_p, c_void_p, c_size_t, c_void_p]),
     "pelagic_ocean_restore_spray": (c_int32, [c_void_p, c_void_p, c_size_t]),
     "pelagic_ocean_shore": (c_int32, [c_void_p, POINTER(pelagic_shore_surface)]),
-    "pelagic_ocean_shore_hash": (c_int32, [c_void_p, c_void_p]),
     "pelagic_input_create_waves": (c_int32, [POINTER(pelagic_waves), c_void_p]),
     "pelagic_input_set_waves": (c_int32, [c_void_p, POINTER(pelagic_waves)]),
     "pelagic_input_create_ripple": (c_int32, [POINTER(pelagic_ripple), c_void_p]),

@@ -151,7 +151,7 @@ class PythonLayouts(unittest.TestCase):
             for time_s in (0, 12.34):
                 self.assertEqual(library.pelagic_ocean_schedule(ocean, time_s), pelagic.PELAGIC_OK)
                 self.assertEqual(library.pelagic_ocean_complete(ocean, frame), pelagic.PELAGIC_OK)
-                self.assertEqual(library.pelagic_ocean_hash(ocean, ctypes.byref(number)), pelagic.PELAGIC_OK)
+                self.assertEqual(library.pelagic_ocean_frame_hash(ocean, frame.number, pelagic.PELAGIC_HASH_FRAME, ctypes.byref(number)), pelagic.PELAGIC_OK)
                 self.assertEqual((frame.time_s, f"{number.value:x}"), (time_s, GOLDEN[f"{name}@{time_s}"].lstrip("0")))
             library.pelagic_ocean_destroy(ocean)
 

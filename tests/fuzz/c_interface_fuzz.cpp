@@ -358,7 +358,6 @@ void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
 void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     std::uint64_t hash = 0;
     must_be_a_status(pelagic_dynamic_waves_hash(waves_of(ocean), &hash));
-    must_be_a_status(pelagic_ocean_shore_hash(ocean, &hash));
     auto dynamic_waves = output<pelagic_dynamic_waves_view>(bytes);
     auto shore = output<pelagic_shore_surface>(bytes);
     double sum = 0;
@@ -423,8 +422,8 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
         case 1: must_be_a_status(pelagic_ocean_complete(ocean, &frame)); break;
         case 2: must_be_a_status(pelagic_ocean_poll(ocean, &is_ready)); break;
         case 3:
-            must_be_a_status(pelagic_ocean_hash(ocean, &hash));
-            must_be_a_status(pelagic_ocean_foam_hash(ocean, &hash));
+            for (std::int32_t kind = -1; kind <= PELAGIC_HASH_SPRAY + 1; ++kind)
+                must_be_a_status(pelagic_ocean_frame_hash(ocean, bytes.take<std::uint8_t>(), kind, &hash));
             break;
         case 4: {
             const pelagic_sea sea = any_sea(bytes);

@@ -9,7 +9,8 @@
 /* The called functions, with the types of the header. */
 #define FUNCTIONS(DO)                                                                                        \
     DO(pelagic_last_error) DO(pelagic_executor_create) DO(pelagic_executor_destroy) DO(pelagic_ocean_create) \
-    DO(pelagic_ocean_destroy) DO(pelagic_ocean_schedule) DO(pelagic_ocean_complete) DO(pelagic_ocean_hash)
+    DO(pelagic_ocean_destroy) DO(pelagic_ocean_schedule) DO(pelagic_ocean_complete) \
+    DO(pelagic_ocean_frame_hash)
 
 typedef struct {
 #define MEMBER(name) __typeof__(&name) name;
@@ -31,7 +32,7 @@ static int print_frames(const pelagic_functions* pelagic, pelagic_ocean* ocean) 
         uint64_t hash;
         if (pelagic->pelagic_ocean_schedule(ocean, times_s[i]) != PELAGIC_OK ||
             pelagic->pelagic_ocean_complete(ocean, &frame) != PELAGIC_OK ||
-            pelagic->pelagic_ocean_hash(ocean, &hash) != PELAGIC_OK)
+            pelagic->pelagic_ocean_frame_hash(ocean, frame.number, PELAGIC_HASH_FRAME, &hash) != PELAGIC_OK)
             return 0;
         printf("default@%g %llx\n", times_s[i], (unsigned long long)hash);
     }

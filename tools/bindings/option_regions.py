@@ -240,9 +240,17 @@ def c_make(schema):
         value = option.enum.c_values()[[v for v, _ in option.enum.values].index(option.default)] if option.enum else c_default_of(option)
         if str(value) != "0" and (not option.enum or option.enum.c_values()[0] != value):
             statements.append(f"{name}.{option.name}\0=\0{value};")
-    body = textwrap.wrap(" ".join(statements), C_WIDTH, initial_indent="    ", subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
-    return [f"static inline {schema.c} {schema.c}_make(void) {{", f"    PELAGIC_ZEROS({schema.c}, {name});",
-            *(line.replace("\0", " ") for line in body), f"    return {name};", "}"]
+    head = f"static inline {schema.c} {schema.c}_make(void) {{"
+    if not statements:
+        return [f"{head} PELAGIC_MAKE({schema.c}); }}"]
+    text = " ".join([f"PELAGIC_ZEROS({schema.c},\0{name});", *statements, f"return\0{name};"])
+    body = textwrap.wrap(text, C_WIDTH, initial_indent="    ", subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    return [head, *(line.replace("\0", " ") for line in body), "}"]
+
+
+def c_struct(schema):
+    """A C struct of nothing but options, and the function that returns the defaults."""
+    return [f"typedef struct {schema.c} {{", *("    " + line for line in ["uint32_t struct_size;", *c_fields(schema)]), f"}} {schema.c};", *c_make(schema)]
 
 
 def c_checks(schema):
@@ -430,5 +438,5 @@ def number_table(schema):
 
 
 RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "enumeration-checks": enumeration_checks, "c-members": c_fields,
-             "c-enumerations": c_enums, "c-make": c_make, "c-checks": c_checks, "c-reads": c_reads, "c-writes": c_writes,
+             "c-enumerations": c_enums, "c-make": c_make, "c-struct": c_struct, "c-checks": c_checks, "c-reads": c_reads, "c-writes": c_writes,
              "python-fields": python_fields, "python-names": python_names, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table, "numbers-of-page": number_table}

@@ -126,6 +126,12 @@ namespace Pelagic
             }
         }
 
+        /// <summary>
+        /// Droplets of emitters, then those of crests, each with the newest first; empty without OceanOptions.Spray.
+        /// Droplets below the water are not removed.
+        /// </summary>
+        public ReadOnlySpan<Droplet> Droplets => new ReadOnlySpan<Droplet>(Slot.Frame.droplets, (int)Slot.Frame.droplet_count);
+
         private FrameSlot Slot
         {
             get

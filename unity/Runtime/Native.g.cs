@@ -75,6 +75,10 @@ namespace Pelagic
         Off = 2,
     }
 
+    /// <summary>
+    /// What a hash of a frame covers. FRAME: all outputs but velocities and what the others cover; it differs between
+    /// frames with and without planes.
+    /// </summary>
     public enum Hash
     {
         Frame = 0,
@@ -1085,22 +1089,6 @@ namespace Pelagic
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        internal struct pelagic_droplets
-        {
-            internal uint struct_size;
-            internal UIntPtr room;
-            internal double* x_m;
-            internal double* y_m;
-            internal double* z_m;
-            internal float* velocity_x_mps;
-            internal float* velocity_y_mps;
-            internal float* velocity_z_mps;
-            internal float* radius_m;
-            internal float* opacity;
-            internal float* age_s;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_shore_options
         {
             internal uint struct_size;
@@ -1473,12 +1461,6 @@ namespace Pelagic
         internal static extern Status pelagic_ocean_frame_at(IntPtr ocean, double time_s, pelagic_frame_buffers* buffers, Bounds* bounds);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        internal static extern Status pelagic_ocean_hash(IntPtr ocean, ulong* hash);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        internal static extern Status pelagic_ocean_foam_hash(IntPtr ocean, ulong* hash);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_frame_hash(IntPtr ocean, ulong frame, int kind, ulong* hash);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1554,12 +1536,6 @@ namespace Pelagic
         internal static extern Status pelagic_ocean_emit(IntPtr ocean, SprayEmitter* emitters, UIntPtr count);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        internal static extern Status pelagic_ocean_droplets(IntPtr ocean, pelagic_droplets* droplets, UIntPtr* count);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        internal static extern Status pelagic_ocean_spray_hash(IntPtr ocean, ulong* hash);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_save_spray(IntPtr ocean, byte* bytes, UIntPtr room, UIntPtr* count);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1567,9 +1543,6 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_shore(IntPtr ocean, pelagic_shore_surface* surface);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        internal static extern Status pelagic_ocean_shore_hash(IntPtr ocean, ulong* hash);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_input_create_waves(pelagic_waves* waves, IntPtr* input);

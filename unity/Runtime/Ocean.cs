@@ -184,26 +184,18 @@ namespace Pelagic
         }
 
         /// <summary>64-bit hash of the frame completed last. Equal hashes mean bit-identical seas.</summary>
-        public ulong Hash()
-        {
-            ulong hash;
-            using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_hash(use.Pointer, &hash));
-            return hash;
-        }
+        public ulong Hash() => HashOf(Pelagic.Hash.Frame);
 
         /// <summary>64-bit hash of the foam; with OceanOptions.Foam.</summary>
-        public ulong FoamHash()
-        {
-            ulong hash;
-            using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_foam_hash(use.Pointer, &hash));
-            return hash;
-        }
+        public ulong FoamHash() => HashOf(Pelagic.Hash.Foam);
 
         /// <summary>64-bit hash of the shore; with OceanOptions.Shore.</summary>
-        public ulong ShoreHash()
+        public ulong ShoreHash() => HashOf(Pelagic.Hash.Shore);
+
+        private ulong HashOf(Hash kind)
         {
             ulong hash;
-            using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_shore_hash(use.Pointer, &hash));
+            using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_frame_hash(use.Pointer, 0, (int)kind, &hash));
             return hash;
         }
 

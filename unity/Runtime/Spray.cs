@@ -15,22 +15,6 @@ namespace Pelagic
         public static SprayEmitter Default => Native.pelagic_spray_emitter_make();
     }
 
-    /// <summary>Arrays for the droplets of any frame, in the world; the first Count elements are theirs.</summary>
-    public sealed class Droplets
-    {
-        /// <summary>Largest number of droplets of a frame.</summary>
-        public const int Max = 8192;
-
-        public int Count { get; internal set; }
-        public readonly double[] XM = new double[Max], YM = new double[Max], ZM = new double[Max];
-        public readonly float[] VelocityXMps = new float[Max], VelocityYMps = new float[Max], VelocityZMps = new float[Max];
-        public readonly float[] RadiusM = new float[Max];
-        /// <summary>At the middle of the droplet, 0 to 1.</summary>
-        public readonly float[] Opacity = new float[Max];
-        /// <summary>Since it left the water.</summary>
-        public readonly float[] AgeS = new float[Max];
-    }
-
     // Spray of OceanOptions.Spray.
     public sealed unsafe partial class Ocean
     {
@@ -50,44 +34,8 @@ namespace Pelagic
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_emit(use.Pointer, &emitter, (UIntPtr)1));
         }
 
-        /// <summary>
-        /// Copies the droplets of the frame completed last: first those of emitters, then those of crests, each with
-        /// the newest first. Droplets below the water are not removed.
-        /// </summary>
-        public void ReadDroplets(Droplets into)
-        {
-            UIntPtr count;
-            using (var use = new Use(handle))
-            fixed (double* x = into.XM, y = into.YM, z = into.ZM)
-            fixed (float* velocityX = into.VelocityXMps, velocityY = into.VelocityYMps, velocityZ = into.VelocityZMps)
-            fixed (float* radius = into.RadiusM, opacity = into.Opacity, age = into.AgeS)
-            {
-                var native = new Native.pelagic_droplets
-                {
-                    struct_size = (uint)sizeof(Native.pelagic_droplets),
-                    room = (UIntPtr)Droplets.Max,
-                    x_m = x,
-                    y_m = y,
-                    z_m = z,
-                    velocity_x_mps = velocityX,
-                    velocity_y_mps = velocityY,
-                    velocity_z_mps = velocityZ,
-                    radius_m = radius,
-                    opacity = opacity,
-                    age_s = age,
-                };
-                Errors.Check(Native.pelagic_ocean_droplets(use.Pointer, &native, &count));
-            }
-            into.Count = (int)count;
-        }
-
         /// <summary>64-bit hash of the droplets of the frame completed last.</summary>
-        public ulong SprayHash()
-        {
-            ulong hash;
-            using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_spray_hash(use.Pointer, &hash));
-            return hash;
-        }
+        public ulong SprayHash() => HashOf(Pelagic.Hash.Spray);
 
         /// <summary>Saves the droplets of emitters. No frame may be in flight.</summary>
         public byte[] SaveSpray()
