@@ -168,8 +168,9 @@ void write_surface(const Cascade& cascade, T& out) {
     out.gradient_rgba8 = cascade.gradient_rgba8.data();
 }
 
-pelagic_frame c_frame_of(const Frame& frame) {
+pelagic_frame c_frame_of(const Frame& frame, std::uint64_t number) {
     pelagic_frame out{};
+    out.number = number;
     const Cascade& first = frame.cascades.front();
     write_surface(first, out);
     out.time_s = frame.time_s;
@@ -331,6 +332,27 @@ WaterFrame water_frame_of(const pelagic_water_frame* water) {
     return to;
 }
 
+void schedule_frame(pelagic_ocean& ocean, double time_s) {
+    need_no_frame_in_flight(ocean);
+    need_finite(time_s);
+    ocean.query_frames.wait_for_old_readers();
+    ocean.ocean.schedule(time_s);
+    ocean.frame_in_flight = true;
+    ocean.scheduled_s = time_s;
+}
+
+std::uint64_t complete_frame(pelagic_ocean& ocean) {
+    need_frame_in_flight(ocean);
+    ocean.frame_in_flight = false;  // also if complete() throws
+    const Frame& completed = ocean.ocean.complete();
+    ocean.has_completed = true;
+    return set_current(ocean, completed);
+}
+
+pelagic_frame c_frame_of(const pelagic_ocean& ocean, std::uint64_t number) {
+    return c_frame_of(*ocean.current, number);
+}
+
 pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options) {
     const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options_make();
     auto* const ocean = new pelagic_ocean(forecast, ocean_options_of(wanted), query_tolerance_m(wanted));
@@ -377,13 +399,7 @@ pelagic_status pelagic_ocean_set_water_frame(pelagic_ocean* ocean, const pelagic
 }
 
 pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s) {
-    return guarded([&] {
-        need_no_frame_in_flight(needed(ocean, "ocean"));
-        need_finite(time_s);
-        ocean->query_frames.wait_for_old_readers();
-        ocean->ocean.schedule(time_s);
-        ocean->frame_in_flight = true;
-    });
+    return guarded([&] { schedule_frame(needed(ocean, "ocean"), time_s); });
 }
 
 pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
@@ -399,6 +415,7 @@ pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
         ocean->query_frames.wait_for_old_readers();
         sea.schedule(time_s, to.all());
         ocean->frame_in_flight = true;
+        ocean->scheduled_s = time_s;
     });
 }
 
@@ -413,11 +430,7 @@ pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame
     return guarded([&] {
         need_frame_in_flight(needed(ocean, "ocean"));
         pelagic_frame& out = needed(frame, "frame");
-        ocean->frame_in_flight = false;  // also if complete() throws
-        const Frame& completed = ocean->ocean.complete();
-        ocean->has_completed = true;
-        out = c_frame_of(completed);
-        out.number = set_current(*ocean, completed);
+        out = c_frame_of(*ocean, complete_frame(*ocean));
     });
 }
 

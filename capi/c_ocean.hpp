@@ -95,6 +95,7 @@ struct pelagic_ocean {
     bool has_spray;
     double query_tolerance_m;
     bool frame_in_flight = false;
+    double scheduled_s = 0;  ///< time of the frame scheduled last
     bool sea_in_flight = false;
     bool has_completed = false;             ///< by complete(), not only by frame_at()
     const pelagic::Frame* current = nullptr;  ///< frame that queries, cascade, copy and hash read
@@ -112,6 +113,14 @@ ShoreOptions shore_options_of(const pelagic_shore_options* options);
 SprayOptions spray_options_of(const pelagic_spray_options* options);
 SprayEmitter emitter_of(const pelagic_spray_emitter& emitter);
 WaterFrame water_frame_of(const pelagic_water_frame* water);
+
+/// Starts a frame. Throws WrongOrder if a frame is in flight, and std::invalid_argument.
+void schedule_frame(pelagic_ocean& ocean, double time_s);
+/// Completes the frame in flight, which becomes the current one. Returns its number. Throws WrongOrder
+/// without such a frame, and what Ocean::complete() throws, after which no frame is in flight.
+std::uint64_t complete_frame(pelagic_ocean& ocean);
+/// Describes the current frame, whose number complete_frame() returned.
+pelagic_frame c_frame_of(const pelagic_ocean& ocean, std::uint64_t number);
 
 /// Throw WrongOrder.
 void need_no_frame_in_flight(const pelagic_ocean& ocean);

@@ -1162,6 +1162,20 @@ static inline pelagic_samples pelagic_samples_make(void) { PELAGIC_MAKE(pelagic_
 PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                                const pelagic_samples* samples);
 
+/* Computes a frame at each of some times and samples it, as pelagic_ocean_schedule(), _complete() and _query(). The
+ * next frame is computed during the queries of one. Between calls for the pieces of a long series the application may
+ * show progress or stop.
+ * times_s: `time_count` times, as pelagic_ocean_schedule() has them.
+ * next_s: time of a frame that is in flight when the call returns, and with which the next piece begins; NULL: none.
+ * points: `frame` is 0.
+ * samples: arrays of time_count * points->count elements, time by time.
+ * frame: receives the description of the last frame; may be NULL.
+ * Errors: as those functions, after which no frame is in flight; PELAGIC_WRONG_ORDER if a frame of another time than
+ *   the first is in flight, which remains. */
+PELAGIC_API pelagic_status pelagic_ocean_query_series(pelagic_ocean* ocean, const double* times_s, size_t time_count,
+                                                      const double* next_s, const pelagic_points* points,
+                                                      const pelagic_samples* samples, pelagic_frame* frame);
+
 /* Samples the water at undisplaced positions of the water's frame, each in [-1e9, 1e9], for meshes that move with it.
  * points: only count, x, z and frame are used.
  * displacement_m, velocity_mps: receive x, y and z of each point, with dynamic waves and a shore; may be NULL.

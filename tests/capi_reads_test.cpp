@@ -145,6 +145,76 @@ TEST_F(CInterfaceReads, UndisplacedWaterIsWhatAQueryFindsAtItsDrawnPosition) {
                     "points.z[2] 2000000000 is out of range [-1e9, 1e9]");
 }
 
+/// A series of heights at points.
+struct Series {
+    std::vector<double> times;
+    pelagic_points points;
+    std::vector<float> height = std::vector<float>(times.size() * points.count);
+    pelagic_frame last = {};
+
+    /// Samples some times, and leaves the frame of the next in flight, if there is one.
+    pelagic_status sample(const COcean& ocean, std::size_t begin, std::size_t count) {
+        const std::size_t end = begin + count;
+        auto samples = pelagic_samples_make();
+        samples.height_m = height.data() + begin * points.count;
+        return pelagic_ocean_query_series(ocean.get(), times.data() + begin, count,
+                                          end < times.size() ? &times[end] : nullptr, &points, &samples, &last);
+    }
+};
+
+TEST_F(CInterfaceReads, SeriesIsBitIdenticalToALoop) {
+    const std::vector<double> times = {3.5, 0, 7.25, 7.25, -2};
+    for (const std::int32_t interpolation : {PELAGIC_INTERPOLATION_LINEAR, PELAGIC_INTERPOLATION_CUBIC})
+        for (const std::size_t count : {0u, 7u, 600u}) {
+            HeightsAtPoints at(count);
+            pelagic_points points = at.points();
+            points.interpolation = interpolation;
+            points.parallel = 1;
+            std::vector<float> expected;
+            for (const double time_s : times) {
+                complete(ocean, time_s);
+                ASSERT_EQ(at.query(ocean, points), PELAGIC_OK) << pelagic_last_error();
+                expected.insert(expected.end(), at.height.begin(), at.height.end());
+            }
+            for (const std::vector<std::size_t>& pieces : {std::vector<std::size_t>{5}, {2, 3}, {0, 4, 1}}) {
+                Series series{.times = times, .points = points};
+                std::size_t begin = 0;
+                for (const std::size_t piece : pieces) {
+                    ASSERT_EQ(series.sample(ocean, begin, piece), PELAGIC_OK) << pelagic_last_error();
+                    begin += piece;
+                }
+                EXPECT_EQ(series.height, expected) << pieces.size();
+                EXPECT_EQ(series.last.time_s, times.back());
+                EXPECT_EQ(complete(ocean, 1).number, series.last.number + 1);
+            }
+        }
+}
+
+TEST_F(CInterfaceReads, SeriesThatFailsLeavesAnUsableOcean) {
+    const HeightsAtPoints at(3);
+    Series series{.times = {1, 2}, .points = at.points()};
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
+    expect_rejected(series.sample(ocean, 0, 2), PELAGIC_WRONG_ORDER,
+                    "the frame of 2 s is in flight; call pelagic_ocean_complete first");
+    ASSERT_EQ(series.sample(ocean, 1, 1), PELAGIC_OK) << "the frame in flight is the first of the series";
+
+    series.points.frame = series.last.number;
+    expect_rejected(series.sample(ocean, 0, 2), "points.frame is 1, expected 0");
+    series.points.frame = 0;
+    series.times[1] = std::nan("");
+    expect_rejected(series.sample(ocean, 0, 2), "times_s[1] is nan, expected a finite number");
+    expect_rejected(series.sample(ocean, 0, 1), "next_s is nan, expected a finite number");
+
+    auto samples = pelagic_samples_make();
+    samples.foam = series.height.data();
+    const double times_s[] = {1, 2};
+    expect_rejected(pelagic_ocean_query_series(ocean.get(), times_s, 1, times_s + 1, &series.points, &samples, nullptr),
+                    "the frame has no foam: the ocean was created without pelagic_ocean_options.foam");
+    complete(ocean, 1);  // no frame is in flight
+    EXPECT_EQ(pelagic_ocean_query_series(ocean.get(), nullptr, 0, nullptr, &series.points, &samples, nullptr),
+              PELAGIC_OK);
+}
+
 TEST_F(CInterfaceReads, FrameHasItsWaveHeightSeaAndDroplets) {
     auto options = pelagic_ocean_options_make();
     auto spray = pelagic_spray_options_make();

@@ -198,6 +198,9 @@ TEST(CInterface, NullPointersAreNamed) {
     expect_invalid(pelagic_ocean_poll_sea(nullptr, &flag), "ocean is NULL");
     expect_invalid(pelagic_ocean_complete_sea(nullptr), "ocean is NULL");
     expect_invalid(pelagic_ocean_query(nullptr, &points, &samples), "ocean is NULL");
+    expect_invalid(pelagic_ocean_query_series(nullptr, nullptr, 0, nullptr, &points, &samples, nullptr), "ocean is NULL");
+    expect_invalid(pelagic_ocean_query_series(ocean.get(), nullptr, 1, nullptr, &points, &samples, nullptr),
+                   "times_s is NULL");
     expect_invalid(pelagic_ocean_first_hit(nullptr, &ray, &hit), "ocean is NULL");
     pelagic_executor_destroy(nullptr);
     pelagic_ocean_destroy(nullptr);

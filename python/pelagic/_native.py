@@ -819,6 +819,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "pelagic_input_create_callback": (c_int32, [POINTER(pelagic_input_callback), c_void_p]),
     "pelagic_input_destroy": (None, [c_void_p]),
     "pelagic_ocean_query": (c_int32, [c_void_p, POINTER(pelagic_points), POINTER(pelagic_samples)]),
+    "pelagic_ocean_query_series": (c_int32, [c_void_p, c_void_p, c_size_t, c_void_p, POINTER(pelagic_points), POINTER(pelagic_samples), POINTER(pelagic_frame)]),
     "pelagic_ocean_sample_undisplaced": (c_int32, [c_void_p, POINTER(pelagic_points), c_void_p, c_void_p, c_void_p]),
     "pelagic_ocean_first_hit": (c_int32, [c_void_p, POINTER(pelagic_ray), POINTER(pelagic_hit)]),
     "pelagic_hull_create": (c_int32, [POINTER(pelagic_hull_mesh), POINTER(pelagic_hull_options), c_void_p]),

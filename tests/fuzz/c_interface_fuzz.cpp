@@ -225,11 +225,11 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     return ocean;
 }
 
-void any_query(Bytes& bytes, const pelagic_ocean* ocean) {
+void any_query(Bytes& bytes, pelagic_ocean* ocean) {
     constexpr std::size_t max = 40;
     double x[max], z[max];
-    float out[10][max];
-    std::uint8_t converged[max];
+    float out[10][2 * max];
+    std::uint8_t converged[2 * max];
     auto points = of_any_size(pelagic_points_make(), bytes);
     const auto count = bytes.take<std::uint8_t>();
     points.count = count == 255 ? SIZE_MAX - bytes.take<std::uint8_t>() : count % max;
@@ -247,6 +247,9 @@ void any_query(Bytes& bytes, const pelagic_ocean* ocean) {
         if (which >> i & 1) *wanted[i] = out[i];
     samples.converged = converged;
     must_be_a_status(pelagic_ocean_query(ocean, &points, &samples));
+    const double times_s[3] = {bytes.number(), bytes.number(), bytes.number()};
+    const double* const next_s = which >> 10 & 1 ? times_s + 2 : nullptr;
+    must_be_a_status(pelagic_ocean_query_series(ocean, times_s, 1 + (which >> 11 & 1), next_s, &points, &samples, nullptr));
 }
 
 void any_ray(Bytes& bytes, const pelagic_ocean* ocean) {

@@ -1566,6 +1566,9 @@ namespace Pelagic
         internal static extern Status pelagic_ocean_query(IntPtr ocean, pelagic_points* points, pelagic_samples* samples);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_query_series(IntPtr ocean, double* times_s, UIntPtr time_count, double* next_s, pelagic_points* points, pelagic_samples* samples, pelagic_frame* frame);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_sample_undisplaced(IntPtr ocean, pelagic_points* points, double* displacement_m, float* velocity_mps, float* foam);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
