@@ -30,7 +30,7 @@ from ._waves import DynamicWaves
 
 _IN_LIBRARY = math.inf  # instead of a number: readers that the library waits for
 # schedule() waits at most for readers in the library, which do not need the interpreter lock.
-_schedule, _complete = quick_library.pelagic_ocean_schedule, library.pelagic_ocean_complete
+_schedule, _complete, _query_series = quick_library.pelagic_ocean_schedule, library.pelagic_ocean_complete, library.pelagic_ocean_query_series
 
 
 def executor_of(threads: int) -> ctypes.c_void_p:
@@ -228,25 +228,41 @@ class Ocean:
             self._destroy_left()
             self._destroy()
 
-    def _begin(self, time_s: float) -> None:
-        """Schedules a frame. The turn is held."""
+    def _begin(self, time_s: float, frames: int = 1) -> None:
+        """Schedules the first of a number of frames, which follow it. The turn is held."""
         if self._left:
             self._destroy_left()
         with self._state:
             self._need_no_frame_in_flight()
             if not math.isfinite(time_s):
                 raise ValueError(invalid("time_s", number_text(time_s), "a finite number"))
-            for number, time_of_view_s in list(self._views.values()):
-                if number < self._newest:
-                    raise BufferError(f"an array of the frame of {number_text(time_of_view_s)} s is still in use, and the next frame needs its memory: "
-                                      "drop the array, or keep a copy() of it")
-            self._oldest = self._newest
-            if self._readers:
-                self._readers_left.wait_for(lambda: all(number >= self._oldest for number in self._readers))
+            self._end_before(self._newest + (frames > 1))
         status = _schedule(self._handle, time_s)
         if status:
             raise error_of(status)
         self._in_flight = True
+
+    def _end_before(self, oldest: int) -> None:
+        """Ends the frames before one and waits for their readers. The state is held."""
+        for number, time_of_view_s in list(self._views.values()):
+            if number < oldest:
+                raise BufferError(f"an array of the frame of {number_text(time_of_view_s)} s is still in use, and the next frame needs its memory: "
+                                  "drop the array, or keep a copy() of it")
+        self._oldest = max(oldest, self._oldest)  # a series that failed has ended the newest frame, too
+        if self._readers:
+            self._readers_left.wait_for(lambda: all(number >= self._oldest for number in self._readers))
+
+    def _continue_series(self, times_s: int, count: int, next_s: Optional[int], call: Any, frame: Any) -> None:
+        """Samples frames of a series, the first of which is in flight. The turn is held.
+
+        times_s, next_s  addresses; None: no frame follows
+        """
+        self._in_flight = next_s is not None
+        status = _query_series(self._handle, times_s, count, next_s, *call.pointers, frame)
+        if status:
+            self._in_flight = False
+            raise error_of(status)
+        self._newest = frame.number
 
     def _end(self, frame: Any) -> None:
         """Completes a frame and writes its struct. The turn is held."""
@@ -259,12 +275,6 @@ class Ocean:
         if status:
             raise error_of(status)
         self._newest = frame.number
-
-    def _repeat_length_m(self) -> float:
-        """Returns the side of the coarsest cascade. A frame is completed, and the turn is held."""
-        cascade = c.sized(c.pelagic_cascade)
-        call(library.pelagic_ocean_cascade, self._handle, 0, cascade)
-        return float(cascade.side_m)
 
     def _completed(self) -> Frame:
         struct = c.sized(c.pelagic_frame)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import math
+import time
 from collections import defaultdict
 from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, List, Literal, Optional, Tuple, TypedDict
 
@@ -57,10 +58,13 @@ _INTERPOLATIONS = {"linear": c.PELAGIC_INTERPOLATION_LINEAR, "cubic": c.PELAGIC_
 # Fields of pelagic_samples, by the names of results.
 _ARRAYS = {"height": "height_m", "jacobian": "jacobian", "foam": "foam", "error": "error_m", "converged": "converged"}
 _VECTORS = {"normal": ("normal_x", "normal_y", "normal_z"), "velocity": ("velocity_x_mps", "velocity_y_mps", "velocity_z_mps")}
+_empty, _FLOAT, _BOOL = np.empty, np.dtype(np.float32), np.dtype(np.bool_)  # type: Any, Any, Any
 _addressof, _from_buffer = ctypes.addressof, ctypes.c_char.from_buffer  # type: Any, Any
 _maximum, _minimum = np.maximum.reduce, np.minimum.reduce
 _ocean_query = library.pelagic_ocean_query
 _IN_ONE_JOB = 512  # points that one thread queries
+# Limits of a piece of a series: points at all times, and the time that it takes.
+_IN_A_PIECE, _PIECE_S = 65536, 0.1
 
 
 class _Call:
@@ -89,7 +93,7 @@ class _Positions:
             if not shape or shape[-1] != 2:
                 raise ValueError(invalid("points.shape", str(shape), "(..., 2): x and z of each point"))
             self.shape: Tuple[int, ...] = shape[:-1]
-            self.xz = array.reshape(-1, 2).T.copy()
+            self.xz = (array if array.ndim == 2 else array.reshape(-1, 2)).T.copy()
         else:
             both = np.broadcast_arrays(doubles_of(points, "x"), doubles_of(z, "z"))
             self.shape = both[0].shape
@@ -103,8 +107,8 @@ class _Positions:
         """Warns if the points span more than the sea's repeat length."""
         if self.count < 2:
             return
-        (x_max, z_max), (x_min, z_min) = _maximum(self.xz, 1).tolist(), _minimum(self.xz, 1).tolist()
-        if x_max - x_min <= repeat_m and z_max - z_min <= repeat_m:
+        all_ = self.xz.reshape(-1)  # x and z together, and argmax, are quicker
+        if all_.item(all_.argmax()) - all_.item(all_.argmin()) <= repeat_m:
             return
         finite = [row[np.isfinite(row)] for row in self.xz]
         if any(row.size and row.max() - row.min() > repeat_m for row in finite):
@@ -148,51 +152,43 @@ def _wanted(fields: Optional[Iterable[Any]], ocean: Ocean) -> Tuple[str, ...]:
     return tuple(name for name in _FIELDS if name in names)
 
 
-class _Results:
-    """Result arrays of one time or of several, one after another."""
+def _empty_results(names: Tuple[str, ...], times: Tuple[int, ...], positions: _Positions) -> Any:
+    """Returns arrays for the results of one time or of several, one after another."""
+    shape = times + positions.shape
+    return {name: _empty((*shape, 3) if name in _VECTORS else shape, _BOOL if name == "converged" else _FLOAT) for name in names}
 
-    __slots__ = ("names", "results", "count", "arrays", "vectors")
 
-    def __init__(self, names: Tuple[str, ...], times: Tuple[int, ...], positions: _Positions) -> None:
-        shape, count = times + positions.shape, positions.count
-        self.names, self.count = names, count
-        self.results: Any = {}
-        self.arrays: List[Tuple[str, int, int]] = []  # field, address of the first time, bytes a time
-        self.vectors: List[Tuple[Tuple[str, str, str], int, Any, Any]] = []  # fields, address, x y z in rows, results in rows
-        for name in names:
-            if name in _VECTORS:
-                rows = np.empty((3, count), np.float32)
-                if count == 1 and not times:  # rows are results
-                    vectors = rows.reshape(*shape, 3)
-                    self.vectors.append((_VECTORS[name], _addressof(_from_buffer(rows)), None, None))
-                else:
-                    vectors = np.empty((*shape, 3), np.float32)
-                    self.vectors.append((_VECTORS[name], _addressof(_from_buffer(rows)) if count else 0, rows, vectors.reshape(-1, 3)))
-                self.results[name] = vectors
-            else:
-                array: Any = np.empty(shape, np.bool_ if name == "converged" else np.float32)
-                self.arrays.append((_ARRAYS[name], _addressof(_from_buffer(array)) if array.size else 0, array.itemsize * count))
-                self.results[name] = array
+def _write(results: Any, points: int, first: int, times: int, samples: Any, query: Any, *arguments: Any) -> Any:
+    """Calls query(*arguments), which writes the results of some times where `samples` points. Returns
+    its result.
 
-    def sample(self, handle: int, call: _Call, time: int) -> int:
-        """Writes the results of a time. Returns the status. `call` has everything else."""
-        samples, count = call.samples, self.count
-        for field, address, size in self.arrays:
-            setattr(samples, field, address + time * size)
-        for (x, y, z), address, _, _ in self.vectors:
-            setattr(samples, x, address)
-            setattr(samples, y, address + 4 * count)
-            setattr(samples, z, address + 8 * count)
-        status: int = _ocean_query(handle, *call.pointers)
-        for _, _, rows, vectors in self.vectors:
-            if rows is None:
-                continue
-            out = vectors[time * count:(time + 1) * count].T
-            if count < 256:
-                out[...] = rows
-            else:  # quicker by axis
-                out[0], out[1], out[2] = rows
-        return status
+    points  their number
+    first   index of the first time
+    """
+    count, scattered = times * points, []
+    for name, array in results.items() if count else ():
+        address = _addressof(_from_buffer(array))
+        if name in _ARRAYS:
+            setattr(samples, _ARRAYS[name], address + first * points * array.itemsize)
+            continue
+        if count == 1:
+            address += 12 * first
+        else:  # the library writes x, y and z apart
+            rows = _empty((3, count), _FLOAT)
+            address = _addressof(_from_buffer(rows))
+            scattered.append((array, rows))
+        x, y, z = _VECTORS[name]
+        setattr(samples, x, address)
+        setattr(samples, y, address + 4 * count)
+        setattr(samples, z, address + 8 * count)
+    result = query(*arguments)
+    for array, rows in scattered:
+        out = array.reshape(-1, 3)[first * points:first * points + count].T
+        if count < 256:
+            out[...] = rows
+        else:  # quicker by axis
+            out[0], out[1], out[2] = rows
+    return result
 
 
 def _call_of(names: Tuple[str, ...], positions: _Positions, tolerance_m: float, interpolation: int, frame: int) -> _Call:
@@ -217,23 +213,23 @@ def query(frame: Frame, points: Any, z: Any, fields: Any, tolerance_m: float, in
         if positions.count > 1:
             positions.warn_of_span(frame._cascades[0].side_m)
         names = _wanted(fields, ocean)
-        results = _Results(names, (), positions)
+        results = _empty_results(names, (), positions)
         call = _call_of(names, positions, tolerance, of_interpolation, number)
-        status = results.sample(ocean._handle, call, 0)
+        status = _write(results, positions.count, 0, 1, call.samples, _ocean_query, ocean._handle, *call.pointers)
         _idle_calls[names].append(call)
     finally:
         ocean._leave(math.inf)
     if status:
         raise ocean._error_of(status, number)
-    return results.results  # type: ignore[no-any-return]
+    return results  # type: ignore[no-any-return]
 
 
-def _need_no_repetition(times_s: List[float], loop_s: float) -> None:
+def _need_no_repetition(times: NDArray[np.float64], loop_s: float) -> None:
     """Raises ValueError if the times span more than the loop, and names a loop that fits."""
-    span_s = max(times_s) - min(times_s)
+    span_s = float(times.max() - times.min())
     if span_s <= loop_s:
         return
-    fits_s = math.ceil(span_s + span_s / (len(times_s) - 1))
+    fits_s = math.ceil(span_s + span_s / (times.size - 1))
     longer = f"loop_period_s={fits_s} is long enough, and" if fits_s <= 86400 else "no loop is longer than 86400 s;"
     raise ValueError(f"times span {number_text(span_s)} s, but the sea repeats after {number_text(loop_s)} s: {longer} repeats=True permits repetition")
 
@@ -241,51 +237,46 @@ def _need_no_repetition(times_s: List[float], loop_s: float) -> None:
 def series(ocean: Ocean, points: Any, times: Any, fields: Any, tolerance_m: float, interpolation: str, repeats: bool) -> SurfaceSamples:
     tolerance, of_interpolation = _tolerance(tolerance_m), _interpolation(interpolation)
     positions = _Positions(points, None)
-    moments = doubles_of(times, "times")
+    moments = doubles_of(times, "times").copy()
     if moments.ndim != 1:
         raise ValueError(invalid("times.shape", str(moments.shape), "(n,): seconds"))
-    times_s: List[float] = moments.tolist()
-    for time_s in times_s:
-        if not math.isfinite(time_s):
-            raise ValueError(invalid("times", number_text(time_s), "finite numbers of seconds"))
+    finite = np.isfinite(moments)
+    if not finite.all():
+        raise ValueError(invalid("times", number_text(float(moments[np.argmin(finite)])), "finite numbers of seconds"))
     ocean._need_open()
-    if not repeats and times_s:
-        _need_no_repetition(times_s, number_of(ocean._sea.loop_period_s, "loop_period_s"))
+    if not repeats and moments.size:
+        _need_no_repetition(moments, number_of(ocean._sea.loop_period_s, "loop_period_s"))
     names = _wanted(fields, ocean)
-    results = _Results(names, (len(times_s),), positions)
+    results = _empty_results(names, moments.shape, positions)
     call = _call_of(names, positions, tolerance, of_interpolation, 0)
-    handle = ocean._handle
-
-    def sample(i: int) -> int:
-        if i == 0:
-            positions.warn_of_span(ocean._repeat_length_m())
-        return results.sample(handle, call, i)
-
     with ocean._turn:
-        _sample_frames(ocean, times_s, sample)
+        _sample_frames(ocean, moments, positions, results, call)
     _idle_calls[names].append(call)
-    return results.results  # type: ignore[no-any-return]
+    return results  # type: ignore[no-any-return]
 
 
-def _sample_frames(ocean: Ocean, times_s: List[float], sample: Callable[[int], int]) -> None:
-    """Calls sample(i), which returns a status, with the frame of each time, while the next frame is
-    computed. The ocean's turn is held."""
-    frame = c.sized(c.pelagic_frame)
-    last = len(times_s) - 1
-    if times_s:
-        ocean._begin(times_s[0])
-    for i in range(len(times_s)):
-        ocean._end(frame)
-        if i != last:
-            ocean._begin(times_s[i + 1])
-        try:
-            status = sample(i)
-            if status:
-                raise error_of(status)
-        except BaseException:
-            if i != last:
-                ocean._end(frame)
-            raise
+def _sample_frames(ocean: Ocean, times: NDArray[np.float64], positions: _Positions, results: Any, call: _Call) -> None:
+    """Writes the results of all times, in pieces between which Python handles signals. The ocean's
+    turn is held."""
+    count, done, piece = times.size, 0, 1
+    if count == 0:
+        return
+    times_s, frame = address_of(times) or 0, c.sized(c.pelagic_frame)
+    ocean._begin(float(times[0]), count)
+    try:
+        while done < count:
+            piece = min(piece, max(1, _IN_A_PIECE // max(1, positions.count)), count - done)
+            begun_s, end = time.perf_counter(), done + piece
+            _write(results, positions.count, done, piece, call.samples, ocean._continue_series, times_s + 8 * done, piece,
+                   times_s + 8 * end if end < count else None, call, frame)
+            if done == 0:
+                positions.warn_of_span(frame.patch_size_m)
+            done, took_s = end, time.perf_counter() - begun_s
+            piece = 2 * piece if took_s < _PIECE_S / 2 else piece if took_s < _PIECE_S else max(1, piece // 2)
+    except BaseException:
+        if ocean._in_flight:
+            ocean._end(frame)
+        raise
 
 
 _RAY = np.dtype({"names": ["origin", "direction", "reach"], "formats": ["(3,)f8", "(3,)f8", "f8"],

@@ -1,5 +1,6 @@
 """Values of a frame, compared with independent computations."""
 
+import signal
 import warnings
 
 import numpy as np
@@ -150,21 +151,57 @@ def test_a_series_equals_queries_of_frames():
                     np.testing.assert_array_equal(series[name][i], answers[name], name)
         assert list(ocean.series([0, 0], [1], fields=["height"])) == ["height"]
         assert ocean.series([[0, 0]], [], fields=["normal"])["normal"].shape == (0, 1, 3)
+        many = np.linspace(-3, 9, 40)  # several calls of the library, each of more times
+        one_by_one = [ocean.frame_at(time_s).query(points)["normal"] for time_s in many]
+        np.testing.assert_array_equal(ocean.series(points, many, interpolation="linear")["normal"], one_by_one)
+        np.testing.assert_array_equal(ocean.series(points[0, 0], many[::-1], interpolation="linear")["normal"], np.array(one_by_one)[::-1, 0, 0])
         cubic = ocean.series(points, times)["height"]
         np.testing.assert_array_equal(cubic, ocean.series(points, times, interpolation="cubic")["height"])
 
         # A view of a frame is safe from a series, and an error does not change the ocean.
-        view = ocean.frame_at(1).displacement
+        frame = ocean.frame_at(1)
+        view = frame.displacement
         with pytest.raises(BufferError):
             ocean.series(points, times)
+        assert frame.is_alive
         del view
+        ocean.series(points, [5])
+        assert frame.is_alive
+        ocean.series(points, [5, 6])
+        with pytest.raises(pelagic.StaleFrame):
+            frame.query(points)
         with pytest.raises(ValueError, match=r"times.shape is \(\), expected \(n,\): seconds"):
             ocean.series(points, 3.0)
         with pytest.raises(ValueError, match="times is nan, expected finite numbers of seconds"):
             ocean.series(points, [0, np.nan])
         assert ocean.frame_at(2).hash
-    with pelagic.Ocean(pelagic.Sea(resolution=64)) as still, pytest.raises(ValueError, match="velocities"):
-        still.series(points, times, fields=["velocity"])
+    with pelagic.Ocean(pelagic.Sea(resolution=64)) as still:
+        frame = still.frame_at(1)
+        with pytest.raises(ValueError, match="velocities"):
+            still.series(points, times, fields=["velocity"])
+        assert not frame.is_alive and still.frame_at(2).is_alive and not frame.is_alive
+
+
+def test_a_signal_ends_a_series(small):
+    class Interrupted(Exception):
+        pass
+
+    def interrupt(*_):
+        raise Interrupted
+
+    count = 5_000_000
+    before = signal.signal(signal.SIGALRM, interrupt)
+    try:
+        with pelagic.Ocean(small) as ocean:
+            expected = ocean.frame_at(7).hash
+            signal.setitimer(signal.ITIMER_REAL, 0.05)
+            with pytest.raises(Interrupted):
+                ocean.series([0, 0], np.linspace(0, 100, count), fields=["height"])
+            after = ocean.frame_at(7)
+            assert after.hash == expected and after._number < count
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
 
 
 def test_a_series_longer_than_the_loop_is_rejected():
