@@ -23,7 +23,7 @@ for part in "${parts[@]}"; do
   case $part in
     debian) packages+=(lintian debootstrap) ;;
     linux) packages+=(debootstrap) ;;
-    arm64) packages+=("${pelagic_arm64_packages[@]}") ;;
+    arm64) packages+=("${pelagic_arm64_packages[@]}" unzip) ;;
     windows) packages+=("${pelagic_windows_packages[@]}" unzip) ;;
     python) packages+=(python3-venv python3-numpy) ;;
     blender) packages+=(blender) ;;

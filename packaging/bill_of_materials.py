@@ -60,9 +60,9 @@ CONTENTS = [
 BUILDS = {
     "debian": r".*\.deb",
     "linux": r"pelagic-.*linux-x86_64\.(tar\.gz|zip)",
-    "arm64-package": r".*arm64\.tar\.gz",
+    "arm64-package": r".*arm64\.tar\.gz|.*aarch64\.whl",
     "windows-package": r".*windows.*\.zip",
-    "python": r".*\.whl|pelagic_blender-.*\.zip",
+    "python": r".*x86_64\.whl|pelagic_blender-.*\.zip",
     "web-threads": r"pelagic-[\d.]+\.tgz",
 }
 # Owners of headers that compile nothing in: those of the systems' compilers, and of libraries that

@@ -23,6 +23,12 @@ pack() {
   find "$1/packages" -maxdepth 1 -type f -name '*pelagic*' -exec mv -t "$out" {} +
 }
 
+# usage: build_wheel PLATFORM
+build_wheel() {
+  PELAGIC_WHEEL_PLATFORM=$1 PYTHONPATH=python/build_backend \
+    /usr/bin/python3 -c 'import sys, wheel_of_cmake; wheel_of_cmake.build_wheel(sys.argv[1])' "$out"
+}
+
 build_debian() {
   cmake --preset release -B build/debian -DCMAKE_INSTALL_PREFIX=/usr -DPELAGIC_DEBIAN=ON "${without_extras[@]}" \
     ${PELAGIC_MAINTAINER:+"-DPELAGIC_MAINTAINER=$PELAGIC_MAINTAINER"}
@@ -52,9 +58,11 @@ build_godot3() {
 }
 
 build_arm64() {
-  cmake --preset arm64 -B build/arm64-package "${without_extras[@]}" -DPELAGIC_TBB=OFF -DPELAGIC_TOOLS=ON -DPELAGIC_IMAGES=OFF
+  cmake --preset arm64 -B build/arm64-package "${without_extras[@]}" -DPELAGIC_TBB=OFF -DPELAGIC_TOOLS=ON -DPELAGIC_IMAGES=OFF \
+    -DPELAGIC_PYTHON=ON -DCMAKE_SHARED_LINKER_FLAGS=-s
   cmake --build build/arm64-package
   pack build/arm64-package
+  PELAGIC_PYTHON_PACKAGE=build/arm64-package/python/pelagic build_wheel manylinux_2_34_aarch64
 }
 
 build_windows() {
@@ -64,8 +72,7 @@ build_windows() {
 }
 
 build_python() {
-  CMAKE_ARGS="$from_sources -DPELAGIC_TBB=OFF -DCMAKE_SHARED_LINKER_FLAGS=-s" PELAGIC_WHEEL_PLATFORM=manylinux_2_34_x86_64 \
-    PYTHONPATH=python/build_backend /usr/bin/python3 -c 'import sys, wheel_of_cmake; wheel_of_cmake.build_wheel(sys.argv[1])' "$out"
+  CMAKE_ARGS="$from_sources -DPELAGIC_TBB=OFF -DCMAKE_SHARED_LINKER_FLAGS=-s" build_wheel manylinux_2_34_x86_64
 }
 
 build_blender() {

@@ -108,6 +108,18 @@ test_arm64() {
   "$packaging/artefact.py" glibc "$newest_glibc" "$dist/$name.tar.gz"
   tar -xzf "$dist/$name.tar.gz" -C "$work"
   test_archive "$work/$name" aarch64-linux-gnu-gcc qemu-aarch64
+  test_wheel aarch64
+  # With Debian's Python for Arm, unpacked beside this system's.
+  local root=$work/arm64_root package
+  for package in python3.11-minimal libpython3.11-minimal libpython3.11-stdlib python3-numpy libblas3 liblapack3 libgfortran5 \
+    libc6 libgcc-s1 libstdc++6 libexpat1 zlib1g libffi8; do
+    (cd "$work" && quietly apt-get download "$package:arm64" && dpkg -x "$package"_*_arm64.deb "$root")
+  done
+  unzip -q "$(wheel_of aarch64)" -d "$root/wheel"
+  first_block python integrations/python.md |
+    QEMU_LD_PREFIX=$root PYTHONPATH=$root/wheel:$root/usr/lib/python3/dist-packages \
+      qemu-aarch64 -E LD_LIBRARY_PATH="$root/usr/lib/aarch64-linux-gnu/blas:$root/usr/lib/aarch64-linux-gnu/lapack" \
+      "$root/usr/bin/python3.11" - | diff <(first_block text integrations/python.md) -
 }
 
 test_windows() {
@@ -117,13 +129,17 @@ test_windows() {
   test_archive "$work/$name" x86_64-w64-mingw32-gcc-posix "$source/cmake/run_wine.sh" "$work/wine-prefix"
 }
 
+wheel_of() { echo "$dist"/pelagic-*"$1".whl; }
+
+test_wheel() {
+  check python "$(wheel_of "$1")"
+  "$packaging/artefact.py" glibc "$newest_glibc" "$(wheel_of "$1")"
+}
+
 test_python() {
-  local wheel
-  wheel=$(echo "$dist"/pelagic-*.whl)
-  check python "$wheel"
-  "$packaging/artefact.py" glibc "$newest_glibc" "$wheel"
+  test_wheel x86_64
   /usr/bin/python3 -m venv --system-site-packages "$work/venv"
-  quietly "$work/venv/bin/pip" install --no-index --no-deps "$wheel"
+  quietly "$work/venv/bin/pip" install --no-index --no-deps "$(wheel_of x86_64)"
   (cd "$work" && first_block python integrations/python.md | venv/bin/python -) | diff <(first_block text integrations/python.md) -
 }
 

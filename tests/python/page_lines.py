@@ -44,8 +44,8 @@ for (language, text), (following, printed) in zip(blocks, [*blocks[1:], ("", "")
         program += f"{text}\nprint({mark!r})\n"
         expected.append(printed if following == "text" else "")
     elif language == "bash" and program == "":
-        assert "dist/*.whl" in text
-        print(run("bash", "-e", "-c", text.replace("dist/*.whl", installed)).strip().splitlines()[-1])
+        assert "dist/*_$(uname -m).whl" in text
+        print(run("bash", "-e", "-c", text.replace("dist/*_$(uname -m).whl", installed)).strip().splitlines()[-1])
 
 seen = [part.removeprefix("\n") for part in run("build/python-venv/bin/python", "-c", program).split(mark)][:-1]
 for number, (there, here) in enumerate(zip(expected, seen)):
