@@ -4,6 +4,7 @@
 
 #include "pelagic/capi/c_dynamic_waves.hpp"
 #include "pelagic/capi/c_ocean.hpp"
+#include "pelagic/capi/c_sea.hpp"
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/capi/c_wave_input.hpp"
 #include "pelagic/capi/sized_struct.hpp"
@@ -42,6 +43,8 @@ std::string check_options(std::string_view type, const void* options) {
     }
     if (type == "pelagic_spray_emitter")
         return check(emitter_of(read_struct(static_cast<const pelagic_spray_emitter*>(options), "emitter")));
+    if (type == "pelagic_wave_system")
+        return check(wave_system_of(needed(static_cast<const pelagic_wave_system*>(options), "system"), ""));
     reject(invalid_value_message("type", type, "the name of a struct of options"));
 }
 

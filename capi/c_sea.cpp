@@ -27,6 +27,22 @@ static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::h
 static_assert(PELAGIC_SPREADING_DONELAN_BANNER == static_cast<int>(SpreadingModel::donelan_banner));
 // end of generated
 
+pelagic_wave_system c_wave_system_of(const WaveSystem& from) {
+    pelagic_wave_system to{};
+    // generated from schema/wave_system.toml: c-writes
+    to.spectrum = static_cast<std::int32_t>(from.spectrum);
+    to.spreading = static_cast<std::int32_t>(from.spreading);
+    to.wind_speed_mps = from.wind_speed_mps;
+    to.fetch_m = from.fetch_m;
+    to.height_m = from.height_m;
+    to.peak_period_s = from.peak_period_s;
+    to.peak_enhancement = from.peak_enhancement;
+    to.direction_rad = from.direction_rad;
+    to.spread_rad = from.spread_rad;
+    // end of generated
+    return to;
+}
+
 pelagic_sea c_sea_of(const SeaState& from) {
     pelagic_sea to{};
     // generated from schema/sea.toml: c-writes
@@ -57,6 +73,7 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.wave_strength = from.wave_strength;
     to.wave_height_m = from.wave_height_m == -1 ? 0 : from.wave_height_m;
     to.wave_drag = from.wave_drag;
+    to.system_count = write_records(from.systems, to.systems, c_wave_system_of);
     // end of generated
     return to;
 }
@@ -73,6 +90,22 @@ std::string preset_names() {
 void write_sea(const SeaState& from, pelagic_sea* sea) {
     struct_bytes(sea, "sea");
     write_struct(c_sea_of(from), sea);
+}
+
+WaveSystem wave_system_of(const pelagic_wave_system& from, std::string_view prefix) {
+    WaveSystem to;
+    // generated from schema/wave_system.toml: c-reads
+    to.spectrum = enum_of<SpectrumModel>(from.spectrum, prefix, "spectrum", "one of PELAGIC_SPECTRUM_...");
+    to.spreading = enum_of<SpreadingModel>(from.spreading, prefix, "spreading", "one of PELAGIC_SPREADING_...");
+    to.wind_speed_mps = from.wind_speed_mps;
+    to.fetch_m = from.fetch_m;
+    to.height_m = from.height_m;
+    to.peak_period_s = from.peak_period_s;
+    to.peak_enhancement = from.peak_enhancement;
+    to.direction_rad = from.direction_rad;
+    to.spread_rad = from.spread_rad;
+    // end of generated
+    return to;
 }
 
 SeaState sea_of(const pelagic_sea* pointer) {
@@ -107,6 +140,7 @@ SeaState sea_of(const pelagic_sea* pointer) {
     to.wave_strength = from.wave_strength;
     to.wave_height_m = from.wave_height_m == 0 ? -1 : from.wave_height_m;
     to.wave_drag = from.wave_drag;
+    to.systems = records_of(from.systems, from.system_count, prefix, "systems", wave_system_of);
     // end of generated
     return to;
 }
@@ -149,8 +183,8 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         const SeaState state = sea_of(sea);
         if (const std::string reason = check(state); !reason.empty()) reject(reason);
         const SeaReport report = report_on(state);
-        const WaveSystem wind_sea = report.wind_sea.value_or(WaveSystem{}),
-                         swell = report.swell.value_or(WaveSystem{});
+        const SystemStatistics wind_sea = report.wind_sea.value_or(SystemStatistics{}),
+                         swell = report.swell.value_or(SystemStatistics{});
         pelagic_statistics all{};
         all.expected_wave_height_m = report.expected.significant_wave_height_m;
         all.realised_wave_height_m = report.realised_significant_wave_height_m;

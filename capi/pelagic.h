@@ -90,10 +90,13 @@
  * of its header's version and with every later 1.x. */
 #define PELAGIC_EXPERIMENTAL PELAGIC_API
 
+/* Defines a struct without struct_size, with 0 in its fields. */
+#define PELAGIC_RECORD(type, name) \
+    type name;                     \
+    memset(&name, 0, sizeof name)
 /* Defines a struct with its struct_size, and 0 in its other fields; or returns it. */
 #define PELAGIC_ZEROS(type, name)  \
-    type name;                     \
-    memset(&name, 0, sizeof name); \
+    PELAGIC_RECORD(type, name);    \
     name.struct_size = (uint32_t)sizeof name
 #define PELAGIC_MAKE(type)      \
     PELAGIC_ZEROS(type, zeros); \
@@ -156,6 +159,27 @@ enum {
 };
 /* end of generated */
 
+/* A wave system: waves of one spectrum and one spreading. Zeros are not valid. */
+/* generated from schema/wave_system.toml: c-struct */
+typedef struct pelagic_wave_system {
+    int32_t spectrum;      /* PELAGIC_SPECTRUM_...; spectrum of the system */
+    int32_t spreading;     /* PELAGIC_SPREADING_...; directional spreading, where spread_rad is 0 */
+    double wind_speed_mps; /* U10 of the wind of the system; (0, 60] */
+    double fetch_m;        /* distance that this wind has blown over water (jonswap); (0, 2e6] */
+    double height_m;       /* significant wave height, Hm0; [0, 30]. 0: by the wind */
+    double peak_period_s;  /* peak period; [1, 40]. 0: by the wind */
+    /* Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10]. */
+    double peak_enhancement;
+    double direction_rad; /* direction that the waves run towards, from +x towards +z; [-2 pi, 2 pi] */
+    double spread_rad;    /* standard deviation of the directions; [pi/180, 4 pi/9]. 0: by spreading */
+} pelagic_wave_system;
+static inline pelagic_wave_system pelagic_wave_system_make(void) {
+    PELAGIC_RECORD(pelagic_wave_system, system); system.spectrum = PELAGIC_SPECTRUM_JONSWAP;
+    system.spreading = PELAGIC_SPREADING_DONELAN_BANNER; system.wind_speed_mps = 12; system.fetch_m = 100e3;
+    system.peak_enhancement = 3.3; return system;
+}
+/* end of generated */
+
 /* A sea state. Equal values and the same version of Pelagic give bit-identical seas on all machines. */
 /* generated from schema/sea.toml: c-struct */
 typedef struct pelagic_sea {
@@ -177,6 +201,7 @@ typedef struct pelagic_sea {
     uint32_t seed; /* seed of the random phases and amplitudes */
     /* Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves. */
     int32_t wave_count;
+    int32_t system_count; /* number of systems; 0 to 8 */
     /* L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived from the sea. */
     double patch_size_m;
     double wind_speed_mps;     /* U10, mean wind speed 10 m above the sea; (0, 60] */
@@ -216,6 +241,8 @@ typedef struct pelagic_sea {
      * longest_wave_m. Of a pond it is above 0. */
     double wave_height_m;
     double wave_drag; /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
+    /* Wave systems, in addition to the waves of the wind and the swell; at most 8. */
+    pelagic_wave_system systems[8];
 } pelagic_sea;
 static inline pelagic_sea pelagic_sea_make(void) {
     PELAGIC_ZEROS(pelagic_sea, sea); sea.spectrum = PELAGIC_SPECTRUM_JONSWAP;

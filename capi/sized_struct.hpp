@@ -8,6 +8,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/message/enum_names.hpp"
@@ -65,6 +66,28 @@ void read_structs(const T* first, std::size_t count, const std::string& name, Re
                                          number_text(bytes) + ", as the first's"));
         read(read_struct(at, element.c_str()), element);
     }
+}
+
+/// Returns the records of a fixed array of C. Throws std::invalid_argument for a count that is not in
+/// it: "system_count is 9, expected 0 to 8".
+/// \param read    as wave_system_of(): from a record, and the prefix of its names in messages
+template <class Record, std::size_t max, class Read>
+auto records_of(const Record (&from)[max], std::int32_t count, std::string_view prefix, std::string_view name, Read read) {
+    const std::string list = std::string(prefix).append(name), element = list.substr(0, list.size() - 1);
+    if (count < 0 || static_cast<std::size_t>(count) > max)
+        reject(invalid_value_message(element + "_count", count, "0 to " + number_text(max)));
+    std::vector<decltype(read(from[0], prefix))> to;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        to.push_back(read(from[i], list + "[" + number_text(i) + "]."));
+    return to;
+}
+
+/// Writes records to a fixed array of C and returns their number.
+/// \pre it has room for them
+template <class Records, class Record, std::size_t max, class Write>
+std::int32_t write_records(const Records& from, Record (&to)[max], Write write) {
+    std::transform(from.begin(), from.end(), to, write);
+    return static_cast<std::int32_t>(from.size());
 }
 
 /// Writes the application's struct except struct_size. Fields that the library does not define

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pelagic/message/enum_names.hpp"
 #include "pelagic/message/numeric_field.hpp"
@@ -57,6 +58,30 @@ struct EnumNames<SpreadingModel> {
 
 /// Number of cascades that holds the waves of a sea down to a length of about 0.1 m.
 inline constexpr int default_cascades = 4;
+
+/// A wave system: waves of one spectrum and one spreading. wave_system_fields() lists the ranges.
+struct WaveSystem {
+    // generated from schema/wave_system.toml: members
+    SpectrumModel spectrum = SpectrumModel::jonswap;  ///< spectrum of the system
+    /// Directional spreading, where spread_rad is 0.
+    SpreadingModel spreading = SpreadingModel::donelan_banner;
+    double wind_speed_mps = 12;  ///< U10 of the wind of the system; (0, 60]
+    double fetch_m = 100e3;      ///< distance that this wind has blown over water (jonswap); (0, 2e6]
+    /// Significant wave height, Hm0; [0, 30]. 0: by the wind.
+    double height_m = 0;
+    /// Peak period; [1, 40]. 0: by the wind.
+    double peak_period_s = 0;
+    /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
+    /// [1, 10].
+    double peak_enhancement = 3.3;
+    /// Direction that the waves run towards, from +x towards +z; [-2 pi, 2 pi].
+    double direction_rad = 0;
+    /// Standard deviation of the directions; [pi/180, 4 pi/9]. 0: by spreading.
+    double spread_rad = 0;
+    // end of generated
+
+    bool operator==(const WaveSystem&) const = default;
+};
 
 /// Options in SI units, which the names include. sea_state_fields() lists the ranges, and check()
 /// checks them.
@@ -126,6 +151,8 @@ struct SeaState {
     /// pond 0.017 longest_wave_m. Of a pond it is above 0.
     double wave_height_m = -1;
     double wave_drag = 0.38;  ///< horizontal drag of a pond's short waves by its long ones; [0, 1]
+    /// Wave systems, in addition to the waves of the wind and the swell; at most 8.
+    std::vector<WaveSystem> systems = {};
     // end of generated
 };
 
@@ -146,6 +173,11 @@ using SeaStateField = NumericField<SeaState>;
 
 /// Returns every numeric option, in the order of the struct.
 std::span<const SeaStateField> sea_state_fields();
+std::span<const NumericField<WaveSystem>> wave_system_fields();
+
+/// Returns an empty string for usable options of a system, else a message about the first invalid
+/// field.
+std::string check(const WaveSystem&);
 
 /// Returns an empty string for a usable sea, else a message about the first invalid field:
 /// "wind_speed_mps -3 is out of range (0, 60]".

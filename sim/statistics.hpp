@@ -103,7 +103,7 @@ struct MeanPeriods {
 };
 
 /// The wind sea or the swell of a sea that has both.
-struct WaveSystem {
+struct SystemStatistics {
     /// Of the waves that the grid holds, mean over all seeds.
     double significant_wave_height_m = 0;
     double realised_significant_wave_height_m = 0;
@@ -128,7 +128,7 @@ struct SeaReport {
     double realised_peak_period_s = 0;              ///< measured_peak_period_s()
     MeanPeriods expected_periods;
     MeanPeriods realised_periods;               ///< of this seed's waves, at the loop's frequencies
-    std::optional<WaveSystem> wind_sea, swell;  ///< only for a spectrum with a swell
+    std::optional<SystemStatistics> wind_sea, swell;  ///< only for a spectrum with a swell
     /// Variance of the horizontal convergence Dx,x + Dz,z, at the sea's choppiness. 0 for a pond.
     double expected_convergence_variance = 0, realised_convergence_variance = 0;
     WaveDirections expected_directions;

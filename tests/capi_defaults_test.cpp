@@ -33,6 +33,8 @@ TEST(CInterfaceDefaults, AreThoseOfTheCppInterface) {
     const SeaState sea = sea_of(&c_sea), usual;
     expect_equal(sea, usual, sea_state_fields());
     EXPECT_EQ(std::tie(sea.waves, sea.spectrum, sea.spreading), std::tie(usual.waves, usual.spectrum, usual.spreading));
+    EXPECT_EQ(wave_system_of(pelagic_wave_system_make(), ""), WaveSystem{});
+    EXPECT_TRUE(sea.systems.empty());
     const pelagic_dynamic_waves_options waves = pelagic_dynamic_waves_options_make();
     expect_equal(dynamic_waves_options_of(&waves), DynamicWavesOptions{}, dynamic_waves_fields());
     EXPECT_EQ(dynamic_waves_options_of(&waves).step, DynamicWavesOptions{}.step);

@@ -119,6 +119,20 @@ TEST(CInterface, AnUnknownPresetIsNamed) {
 // Messages equal those of check(SeaState).
 TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
     const std::map<std::string, std::function<void(pelagic_sea&)>> mistakes = {
+        {"system_count is 9, expected 0 to 8", [](pelagic_sea& sea) { sea.system_count = 9; }},
+        {"system_count is -1, expected 0 to 8", [](pelagic_sea& sea) { sea.system_count = -1; }},
+        {"systems[0].spreading is 9, expected one of PELAGIC_SPREADING_...",
+         [](pelagic_sea& sea) {
+             sea.systems[0] = pelagic_wave_system_make();
+             sea.systems[0].spreading = 9;
+             sea.system_count = 1;
+         }},
+        {"systems[1].height_m -1 is out of range [0, 30]",
+         [](pelagic_sea& sea) {
+             sea.systems[0] = sea.systems[1] = pelagic_wave_system_make();
+             sea.systems[1].height_m = -1;
+             sea.system_count = 2;
+         }},
         {"spectrum is -1, expected one of PELAGIC_SPECTRUM_...", [](pelagic_sea& sea) { sea.spectrum = -1; }},
         {"resolution is 17, expected a power of two from 16 to 2048", [](pelagic_sea& sea) { sea.resolution = 17; }},
         {"resolution is -2147483648", [](pelagic_sea& sea) { sea.resolution = INT32_MIN; }},

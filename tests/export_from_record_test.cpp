@@ -27,7 +27,8 @@ using Words = std::vector<std::string>;
 // Options that do not affect the content of files.
 const std::set<std::string> unrecorded = {"out",     "help",    "help-pixels", "resume",  "overwrite",
                                           "no-sync", "no-lock", "preview",     "threads", "isa",
-                                          "trace",   "shard",   "config",      "weather"};
+                                          "trace",   "shard",   "config",      "weather",
+                                          "system"};  // no sea has one yet
 
 /// A placeholder for the path of the events file beside the record.
 const std::string events_placeholder = "the events";

@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr SeaState one_cascade{
+const SeaState one_cascade{
     .resolution = 32, .patch_size_m = 100, .wind_speed_mps = 12, .choppiness = 0.5, .loop_period_s = 20};
 
 Ocean ocean_of(const SeaState& sea) {

@@ -82,7 +82,7 @@ double integral_over_wave_numbers(const WaveSpectrum& spectrum, const SeaState& 
 
 // A wide patch with a short peak wave, so that many waves share the energy. 16 seeds then vary by
 // about 1 %, and the grid resolves all but 1 % of the height.
-constexpr SeaState many_waves{.resolution = 256, .patch_size_m = 400, .wind_speed_mps = 6, .wind_alignment = 0.2};
+const SeaState many_waves{.resolution = 256, .patch_size_m = 400, .wind_speed_mps = 6, .wind_alignment = 0.2};
 
 TEST(WaveHeight, IsWithin3PercentOfTheSpectrumsIntegralOver16Seeds) {
     for (const SpectrumModel model : {SpectrumModel::jonswap, SpectrumModel::pierson_moskowitz}) {

@@ -193,7 +193,7 @@ TEST(Depth, FrequenciesAtAPointMatchTheSpectrum) {
     }
 }
 
-constexpr SeaState only_swell{.resolution = 64,
+const SeaState only_swell{.resolution = 64,
                               .patch_size_m = 4000,
                               .wind_speed_mps = 0.05,
                               .fetch_m = 1e3,

@@ -52,7 +52,7 @@ class RecordingSink final : public TraceSink {
 };
 
 /// The smallest sea whose frames use the executor.
-constexpr SeaState traced_sea{.resolution = 128, .patch_size_m = 250};
+const SeaState traced_sea{.resolution = 128, .patch_size_m = 250};
 constexpr int traced_frames = 5;
 
 /// A few frames of a small sea, each scheduled before the previous one is read, as applications do.

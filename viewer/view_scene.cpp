@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+#include <tuple>
 
 #include "pelagic/viewer/picked_place.hpp"
 
@@ -25,7 +26,8 @@ constexpr double boat_ahead_m = 22;
 const SeaState still_water{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
 
 bool same_sea(const SeaState& a, const SeaState& b) {
-    if (a.waves != b.waves || a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
+    if (std::tie(a.waves, a.spectrum, a.spreading, a.systems) != std::tie(b.waves, b.spectrum, b.spreading, b.systems))
+        return false;
     return std::ranges::all_of(sea_state_fields(),
                                [&](const SeaStateField& field) { return field.value_in(a) == field.value_in(b); });
 }
@@ -79,7 +81,8 @@ bool ViewScene::ocean_supports(const SeaState& sea) const {
 
 void ViewScene::create_ocean(double time_s, const std::vector<SeaChange>& changes) {
     shown_sea_ = settings_.sea;
-    const auto shore = options_.shore && check(*options_.shore, shown_sea_).empty() ? options_.shore : std::nullopt;
+    std::optional<ShoreOptions> shore = options_.shore;
+    if (shore && !check(*shore, shown_sea_).empty()) shore.reset();
     ocean_.emplace(Forecast{.first = shown_sea_, .changes = changes},
                    OceanOptions{.executor = make_default_executor(options_.threads),
                                 .trace = stage_times_,

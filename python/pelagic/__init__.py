@@ -21,14 +21,14 @@ from ._inputs import GerstnerInput, RippleInput, WaveInput
 from ._library import StaleFrame, isas_here, version as _version
 from ._ocean import Ocean
 from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions, SprayEmitter, SprayOptions
-from ._sea import Report, Sea, presets_of_library as _presets_of_library
+from ._sea import Report, Sea, WaveSystem, presets_of_library as _presets_of_library
 from ._structs import nearest_hint as _nearest_hint
 from ._waves import DynamicWaves, DynamicWavesView, ShoreSurface
 
 __all__ = [
     "AnalyticWave", "Bodies", "Bounds", "Cascade", "Disturbance", "DynamicWaves", "DynamicWavesOptions", "DynamicWavesView", "Frame", "GerstnerInput",
     "Hull", "HullState", "Ocean", "Rain", "Report", "Ripple", "RippleInput", "Sea", "ShoreOptions", "ShoreSurface", "SprayEmitter",
-    "SprayOptions", "StaleFrame", "WaveInput", "isas_here", "preset", "preset_summaries", "presets",
+    "SprayOptions", "StaleFrame", "WaveInput", "WaveSystem", "isas_here", "preset", "preset_summaries", "presets",
 ]
 
 __version__ = _version()
@@ -43,7 +43,7 @@ presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _
 preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _presets})
 
 _explain(AnalyticWave, Bodies, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, Frame, GerstnerInput, Hull, Ocean, Rain, Ripple, RippleInput, Sea,
-         ShoreOptions, SprayEmitter, SprayOptions)
+         ShoreOptions, SprayEmitter, SprayOptions, WaveSystem)
 
 
 def preset(name: str) -> Sea:

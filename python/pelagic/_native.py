@@ -46,6 +46,20 @@ PELAGIC_INTERPOLATION_LINEAR = 0
 PELAGIC_INTERPOLATION_CUBIC = 1
 
 
+class pelagic_wave_system(ctypes.Structure):
+    _fields_ = [
+        ("spectrum", c_int32),
+        ("spreading", c_int32),
+        ("wind_speed_mps", c_double),
+        ("fetch_m", c_double),
+        ("height_m", c_double),
+        ("peak_period_s", c_double),
+        ("peak_enhancement", c_double),
+        ("direction_rad", c_double),
+        ("spread_rad", c_double),
+    ]
+
+
 class pelagic_sea(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -56,6 +70,7 @@ class pelagic_sea(ctypes.Structure):
         ("resolution", c_int32),
         ("seed", c_uint32),
         ("wave_count", c_int32),
+        ("system_count", c_int32),
         ("patch_size_m", c_double),
         ("wind_speed_mps", c_double),
         ("wind_direction_rad", c_double),
@@ -76,6 +91,7 @@ class pelagic_sea(ctypes.Structure):
         ("wave_strength", c_double),
         ("wave_height_m", c_double),
         ("wave_drag", c_double),
+        ("systems", pelagic_wave_system * 8),
     ]
 
 
@@ -647,6 +663,7 @@ class pelagic_bodies_options(ctypes.Structure):
 
 
 STRUCTS = [
+    pelagic_wave_system,
     pelagic_sea,
     pelagic_statistics,
     pelagic_executor_options,
@@ -690,6 +707,13 @@ STRUCTS = [
 ]
 # of fields that are not 0
 DEFAULTS: Dict[Any, Dict[str, Any]] = {
+    pelagic_wave_system: {
+        "spectrum": PELAGIC_SPECTRUM_JONSWAP,
+        "spreading": PELAGIC_SPREADING_DONELAN_BANNER,
+        "wind_speed_mps": 12,
+        "fetch_m": 100e3,
+        "peak_enhancement": 3.3,
+    },
     pelagic_sea: {
         "spectrum": PELAGIC_SPECTRUM_JONSWAP,
         "spreading": PELAGIC_SPREADING_DONELAN_BANNER,

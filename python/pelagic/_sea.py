@@ -41,6 +41,48 @@ class Report:
 
 
 @dataclass(frozen=True)
+class WaveSystem:
+    """A wave system: waves of one spectrum and one spreading. An invalid value raises ValueError
+    with the accepted range."""
+
+    # generated from schema/wave_system.toml: python-fields
+    spectrum: str = "jonswap"
+    """Spectrum of the system: "phillips-paper" (scaled as in VR Ocean, without a swell), "phillips"
+    (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
+    "jonswap" (a sea that grows with the fetch)."""
+    spreading: str = "donelan-banner"
+    """Directional spreading, where spread_rad is 0: "paper" (VR Ocean, by wind_alignment),
+    "cosine-2s" (measured, Longuet-Higgins et al. 1963), "hasselmann" (measured, Hasselmann et al.
+    1980), "donelan-banner" (measured, Donelan et al. 1985 and Banner 1990)."""
+    wind_speed_mps: float = 12.0
+    """U10 of the wind of the system; (0, 60]."""
+    fetch_m: float = 100e3
+    """Distance that this wind has blown over water (jonswap); (0, 2e6]."""
+    height_m: float = 0.0
+    """Significant wave height, Hm0; [0, 30]. 0: by the wind."""
+    peak_period_s: float = 0.0
+    """Peak period; [1, 40]. 0: by the wind."""
+    peak_enhancement: float = 3.3
+    """Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
+    [1, 10]."""
+    direction_rad: float = 0.0
+    """Direction that the waves run towards, from +x towards +z; [-2 pi, 2 pi]."""
+    spread_rad: float = 0.0
+    """Standard deviation of the directions; [pi/180, 4 pi/9]. 0: by spreading."""
+    # end of generated
+
+    def __post_init__(self) -> None:
+        _structs.wave_system_struct(self)
+
+    @classmethod
+    def _of_library(cls, struct: Any) -> WaveSystem:
+        """Returns a system of the library without checks."""
+        system = object.__new__(cls)
+        system.__dict__.update(_structs.values_of(struct, (field.name for field in fields(cls))))
+        return system
+
+
+@dataclass(frozen=True)
 class Sea:
     """The options of a sea. Equal values and equal versions of Pelagic give the same sea at the
     same time on every machine.
@@ -127,9 +169,12 @@ class Sea:
     pond 0.017 longest_wave_m. Of a pond it is above 0."""
     wave_drag: float = 0.38
     """Horizontal drag of a pond's short waves by its long ones; [0, 1]."""
+    systems: tuple[WaveSystem, ...] = ()
+    """Wave systems, in addition to the waves of the wind and the swell; at most 8."""
     # end of generated
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "systems", _structs.systems_of(self.systems, WaveSystem))
         _structs.check_sea(self)
 
     @classmethod
@@ -137,7 +182,8 @@ class Sea:
         """Returns a sea of the library without checks: during a transition its values may not be a
         valid combination."""
         sea = object.__new__(cls)
-        sea.__dict__.update(_structs.sea_values(struct, (field.name for field in fields(cls))))
+        sea.__dict__.update(_structs.values_of(struct, (field.name for field in fields(cls))))
+        sea.__dict__["systems"] = tuple(WaveSystem._of_library(system) for system in struct.systems[:struct.system_count])
         return sea
 
     def report(self) -> Report:

@@ -14,7 +14,7 @@ from ._numbers import invalid, list_of, number_of, whole_number_of
 
 if TYPE_CHECKING:
     from ._options import AnalyticWave, Disturbance, DynamicWavesOptions, Rain, Ripple, ShoreOptions, SprayEmitter, SprayOptions
-    from ._sea import Sea
+    from ._sea import Sea, WaveSystem
 
 # Fields that Python names instead of numbering, by the constants of C.
 _NAMED_FIELDS = {
@@ -103,16 +103,35 @@ def sea_struct(sea: Any) -> Any:
     """Returns a checked pelagic_sea."""
     if not hasattr(sea, "wind_speed_mps"):
         raise TypeError(invalid("sea", repr(sea), 'a pelagic.Sea, such as pelagic.preset("rough")'))
-    struct = struct_of(c.pelagic_sea, sea)
+    systems = [struct_of(c.pelagic_wave_system, system) for system in sea.systems]
+    struct = struct_of(c.pelagic_sea, sea, systems=tuple(systems), system_count=len(systems))
     return _checked(struct, library.pelagic_sea_check(struct))
 
 
-def sea_values(struct: Any, names: Iterable[str]) -> dict[str, Any]:
-    """Returns the values of a pelagic_sea for fields of a Sea."""
-    values = {name: getattr(struct, name) for name in names}
+def wave_system_struct(system: WaveSystem) -> Any:
+    return _checked_options(struct_of(c.pelagic_wave_system, system))
+
+
+def systems_of(systems: Any, type_: Any) -> tuple[WaveSystem, ...]:
+    """Returns the wave systems of a sequence."""
+    try:
+        found = tuple(systems)
+    except TypeError:
+        raise TypeError(invalid("systems", repr(systems), "a sequence of pelagic.WaveSystem")) from None
+    for i, system in enumerate(found):
+        if not isinstance(system, type_):
+            raise TypeError(invalid(f"systems[{i}]", repr(system), "a pelagic.WaveSystem"))
+    if len(found) > (most := c.pelagic_sea().systems._length_):
+        raise ValueError(invalid("len(systems)", str(len(found)), f"0 to {most}"))
+    return found
+
+
+def values_of(struct: Any, names: Iterable[str]) -> dict[str, Any]:
+    """Returns the values of a struct for fields of a Sea or a WaveSystem."""
+    values = {name: getattr(struct, name) for name in names if hasattr(struct, name)}
     for name in values.keys() & NAMES.keys():
         values[name] = NAMES[name][values[name]]
-    if values["wave_height_m"] == 0:
+    if values.get("wave_height_m") == 0:
         values["wave_height_m"] = -1.0
     return values
 

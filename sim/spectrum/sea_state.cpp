@@ -42,6 +42,19 @@ constexpr SeaStateField sea_state_field_table[] = {
     // end of generated
 };
 
+constexpr NumericField<WaveSystem> wave_system_field_table[] = {
+    // generated from schema/wave_system.toml: table
+    {"wind_speed_mps", &WaveSystem::wind_speed_mps, 0, 60, "(0, 60]", Restriction::above_min},
+    {"fetch_m", &WaveSystem::fetch_m, 0, 2e6, "(0, 2e6]", Restriction::above_min},
+    {"height_m", &WaveSystem::height_m, 0, 30, "[0, 30]"},
+    {"peak_period_s", &WaveSystem::peak_period_s, 1, 40, "[1, 40], or 0: by the wind", Restriction::none, 0},
+    {"peak_enhancement", &WaveSystem::peak_enhancement, 1, 10, "[1, 10]"},
+    {"direction_rad", &WaveSystem::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    {"spread_rad", &WaveSystem::spread_rad, two_pi / 360, 2 * two_pi / 9,
+     "[pi/180, 4 pi/9], or 0: by the spreading model", Restriction::none, 0},
+    // end of generated
+};
+
 }  // namespace
 
 bool is_phillips_paper(const SeaState& sea) {
@@ -70,16 +83,30 @@ SpreadingModel spreading_of(const SeaState& sea) {
 
 std::span<const SeaStateField> sea_state_fields() { return sea_state_field_table; }
 
+std::span<const NumericField<WaveSystem>> wave_system_fields() { return wave_system_field_table; }
+
+std::string check(const WaveSystem& system) {
+    // generated from schema/wave_system.toml: checks
+    if (static_cast<std::size_t>(system.spectrum) >= names_of<SpectrumModel>().size())
+        return "spectrum is no known model";
+    if (static_cast<std::size_t>(system.spreading) >= names_of<SpreadingModel>().size())
+        return "spreading is no known model";
+    // end of generated
+    return check_fields(system, wave_system_field_table);
+}
+
 std::string check(const SeaState& sea) {
-    // generated from schema/sea.toml: enumeration-checks
+    // generated from schema/sea.toml: checks
     if (static_cast<std::size_t>(sea.waves) >= names_of<WaveModel>().size())
         return "waves is no known model";
     if (static_cast<std::size_t>(sea.spectrum) >= names_of<SpectrumModel>().size())
         return "spectrum is no known model";
     if (static_cast<std::size_t>(sea.spreading) >= names_of<SpreadingModel>().size())
         return "spreading is no known model";
+    if (const std::string reason = check_records("systems", sea.systems, 8); !reason.empty()) return reason;
     // end of generated
     if (const std::string reason = check_fields(sea, sea_state_field_table); !reason.empty()) return reason;
+    if (!sea.systems.empty()) return "systems: not supported yet";
     const bool is_papers = is_phillips_paper(sea);
     if (sea.cascades > 1) {
         if (sea.patch_size_m > 0)

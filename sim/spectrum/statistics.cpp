@@ -279,7 +279,7 @@ MeanPeriods realised_periods_from(const GridSums& sums, double loop_period_s) {
 void add_components(const SeaState& sea, std::span<const CascadePlan> plan, const GridSums& sums, SeaReport& report) {
     const auto component = [&](double expected, double realised, double peak_period_s,
                                const std::vector<double>& bands) {
-        return WaveSystem{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
+        return SystemStatistics{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
                           .realised_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, realised)),
                           .peak_period_s = peak_period_s,
                           .realised_peak_period_s =

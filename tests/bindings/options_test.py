@@ -36,7 +36,68 @@ name = "made_up_model"
 enum = "SpreadingModel"
 default = "hasselmann"
 text = "an enumeration of a test"
+
+[[option]]
+name = "made_up_waves"
+records = "made_up.toml"
+max = 3
+text = "a list of a test"
 """
+MADE_UP_RECORD = """
+struct = "MadeUp"
+c = "pelagic_made_up"
+
+[[option]]
+name = "size_m"
+unit = "m"
+default = 1.5
+range = "(0, 7]"
+text = "a number of a record"
+
+[[option]]
+name = "model"
+enum = "SpreadingModel"
+default = "hasselmann"
+text = "an enumeration of a record"
+"""
+# What stands around the regions of a record, before a line of a file.
+AROUND_RECORD = (
+    ("sim/sea_state.hpp", "/// A wave system", """struct MadeUp {
+    // generated from schema/made_up.toml: members
+    // end of generated
+};
+std::string check(const MadeUp&);
+"""),
+    ("sim/spectrum/sea_state.cpp", "std::string check(const SeaState& sea) {", """constexpr NumericField<MadeUp> made_up_fields[] = {
+    // generated from schema/made_up.toml: table
+    // end of generated
+};
+std::string check(const MadeUp& up) {
+    // generated from schema/made_up.toml: checks
+    // end of generated
+    return check_fields(up, made_up_fields);
+}
+"""),
+    ("capi/pelagic.h", "/* A wave system", """typedef struct pelagic_made_up {
+    /* generated from schema/made_up.toml: c-members */
+    /* end of generated */
+} pelagic_made_up;
+/* generated from schema/made_up.toml: c-make */
+/* end of generated */
+"""),
+    ("capi/c_sea.cpp", "pelagic_sea c_sea_of(", """pelagic_made_up c_made_up_of(const MadeUp& from) {
+    pelagic_made_up to{};
+    // generated from schema/made_up.toml: c-writes
+    // end of generated
+    return to;
+}
+MadeUp made_up_of(const pelagic_made_up& from, std::string_view prefix) {
+    MadeUp to;
+    // generated from schema/made_up.toml: c-reads
+    // end of generated
+    return to;
+}
+"""))
 
 
 def generate(tree, *arguments):
@@ -71,6 +132,9 @@ class Schemas(unittest.TestCase):
             (r"options.py: sea.toml: spreading has the default round, expected one of paper, .*\n", lambda text: text.replace('default = "paper"', 'default = "round"')),
             (r"options.py: sea.toml: seed has the unknown key maximum, accepted: accepted, .*\n", lambda text: text.replace('name = "seed"\n', 'name = "seed"\nmaximum = 3\n')),
             (r"options.py: sea.toml: seed has the unknown type long, accepted: bool, .*\n", lambda text: text.replace('type = "uint32"', 'type = "long"')),
+            (r"options.py: sea.toml: systems has no max\n", lambda text: text.replace("max = 8\n", "")),
+            (r"options.py: sea.toml: systems is a list of wind.toml, expected a file of schema/ without lists\n", lambda text: text.replace("wave_system.toml", "wind.toml")),
+            (r"options.py: sea.toml: system is a list, expected a name that ends in s\n", lambda text: text.replace('"systems"', '"system"')),
             (r"options.py: sea.toml: .*line \d+.*\n", lambda text: "option]\n" + text),
         ):
             self.assertRegex(self.refused(change), rf"\A{expected}\Z")
@@ -83,7 +147,7 @@ class Schemas(unittest.TestCase):
 
 
 class NewOption(unittest.TestCase):
-    """A copy of the tree whose sea has two options more."""
+    """A copy of the tree whose sea has two options and a list more."""
 
     @classmethod
     def setUpClass(cls):
@@ -96,6 +160,11 @@ class NewOption(unittest.TestCase):
         shutil.copy(SOURCE / "capi/pelagic.h", cls.tree / "pelagic.h")
         with open(cls.tree / "schema/sea.toml", "a") as schema:
             schema.write(MADE_UP)
+        (cls.tree / "schema/made_up.toml").write_text(MADE_UP_RECORD)
+        for name, line, text in AROUND_RECORD:
+            there = (cls.tree / name).read_text()
+            assert there.count(line) == 1, name
+            (cls.tree / name).write_text(there.replace(line, text + line))
         found = generate(cls.tree, "--write")
         assert found.returncode == 0, found.stderr
         shutil.copy(cls.tree / "capi/pelagic.h", cls.tree / "pelagic.h")
@@ -145,6 +214,82 @@ int main(void) {
 }
 """, "-std=c99", "-Wall", "-Wextra", "-Werror", "-DPELAGIC_STATIC")
         self.assertEqual(output, "2.5 1 3")
+
+    def test_a_list_is_set_and_checked_in_cpp(self):
+        output = self.run_program(CXX, "list.cpp", """
+#include <cstdio>
+#include <iostream>
+#include "pelagic/sim/spectrum/sea_state.cpp"
+namespace pelagic {
+std::string check_wave_list(const SeaState&) { return {}; }
+}
+int main() {
+    pelagic::SeaState sea;
+    std::cout << sea.made_up_waves.size() << pelagic::check(sea) << '\\n';
+    sea.made_up_waves = {{}, {.size_m = 7, .model = pelagic::SpreadingModel::paper}};
+    std::cout << sea.made_up_waves[0].size_m << ' ' << pelagic::check(sea) << '\\n';
+    sea.made_up_waves.push_back({.size_m = 8});
+    std::cout << pelagic::check(sea) << '\\n';
+    sea.made_up_waves = {{.model = pelagic::SpreadingModel(4)}};
+    std::cout << pelagic::check(sea) << '\\n';
+    sea.made_up_waves.resize(4);
+    std::cout << pelagic::check(sea) << '\\n';
+}
+""", "-std=c++20", "-ffunction-sections", "-Wl,--gc-sections")
+        self.assertEqual(output, "0\n1.5 \nmade_up_waves[2].size_m 8 is out of range (0, 7]\nmade_up_waves[0].model is no known model\n"
+                                 "made_up_waves.size() is 4, expected 0 to 3\n")
+
+    def test_a_list_is_set_in_c_and_converted(self):
+        self.run_program(CC, "made.c", """
+#include "pelagic/pelagic.h"
+int main(void) {
+    pelagic_sea sea = pelagic_sea_make();
+    sea.made_up_waves[0] = pelagic_made_up_make();
+    sea.made_up_wave_count = 1;
+    return sea.made_up_waves[0].size_m == 1.5 && sea.made_up_waves[0].model == PELAGIC_SPREADING_HASSELMANN ? 0 : 1;
+}
+""", "-std=c99", "-Wall", "-Wextra", "-Werror", "-DPELAGIC_STATIC")
+        output = self.run_program(CXX, "convert.cpp", """
+#include <iostream>
+#include "pelagic/capi/c_sea.cpp"
+#include "pelagic/capi/c_status.cpp"
+int main() {
+    pelagic_sea sea = pelagic_sea_make(), back = pelagic_sea_make();
+    for (pelagic_made_up& wave : sea.made_up_waves) wave = pelagic_made_up_make();
+    sea.made_up_wave_count = 2;
+    sea.made_up_waves[1].size_m = 3;
+    sea.made_up_waves[1].model = PELAGIC_SPREADING_COSINE_2S;
+    pelagic::capi::write_sea(pelagic::capi::sea_of(&sea), &back);
+    std::cout << back.made_up_wave_count << ' ' << back.made_up_waves[0].size_m << ' ' << back.made_up_waves[1].size_m << ' '
+              << back.made_up_waves[1].model << ' ' << back.made_up_waves[2].size_m << '\\n';
+    const auto message = [&] {
+        try {
+            pelagic::capi::sea_of(&sea);
+        } catch (const std::exception& error) {
+            std::cout << error.what() << '\\n';
+        }
+    };
+    sea.made_up_waves[1].model = 7;
+    message();
+    sea.made_up_wave_count = 4;
+    message();
+    sea.made_up_wave_count = -1;
+    message();
+}
+""", "-std=c++20", "-O1", "-DPELAGIC_STATIC", "-ffunction-sections", "-Wl,--gc-sections")
+        self.assertEqual(output, "2 1.5 3 1 0\nmade_up_waves[1].model is 7, expected one of PELAGIC_SPREADING_...\n"
+                                 "made_up_wave_count is 4, expected 0 to 3\nmade_up_wave_count is -1, expected 0 to 3\n")
+
+    def test_a_list_is_set_in_python_and_a_type_in_javascript(self):
+        self.assertRegex((self.tree / "python/pelagic/_sea.py").read_text(), r"(?m)^    made_up_waves: tuple\[MadeUp, \.\.\.\] = \(\)$")
+        self.assertIn("  /** A list of a test: at most 3. Default: none. */\n  madeUpWaves?: MadeUp[];", (self.tree / "web/package/index.d.ts").read_text())
+        layouts = {}
+        exec(python_layouts.write(c_header.read_header((self.tree / "pelagic.h").read_text())), layouts)
+        wave = layouts["make"](layouts["pelagic_made_up"], size_m=3)
+        sea = layouts["make"](layouts["pelagic_sea"], made_up_waves=(wave,), made_up_wave_count=1)
+        self.assertEqual((sea.made_up_waves[0].size_m, sea.made_up_waves[0].model, sea.made_up_waves[1].size_m),
+                         (3, layouts["PELAGIC_SPREADING_HASSELMANN"], 0))
+        self.assertEqual(ctypes.sizeof(sea.made_up_waves), 3 * ctypes.sizeof(wave))
 
     def test_is_converted_between_c_and_cpp(self):
         text = (self.tree / "capi/c_sea.cpp").read_text()

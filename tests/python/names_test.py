@@ -9,7 +9,7 @@ import numpy as np
 import pelagic
 import pytest
 from conftest import accepted_by_library, defaults_of_library, docstrings_of_fields
-from pelagic import _native
+from pelagic import _native, _structs
 
 PACKAGE = Path(pelagic.__file__).parent
 CLASSES = ("Bodies", "Bounds", "Cascade", "DynamicWaves", "DynamicWavesView", "Frame", "GerstnerInput", "Hull", "HullState", "Ocean", "RippleInput",
@@ -21,8 +21,32 @@ def test_a_sea_has_the_fields_and_defaults_of_the_library():
     assert {name: here.pop(name) for name in ("waves", "spectrum", "spreading")} == {
         "waves": "spectrum", "spectrum": "jonswap", "spreading": "paper"}
     assert here.pop("wave_height_m") == -1  # 0 in C
+    assert here.pop("systems") == ()
     there = defaults_of_library(_native.pelagic_sea)
     assert here == {name: there[name] for name in here}
+
+
+def test_a_wave_system_has_the_defaults_of_the_library():
+    here = {field.name: field.default for field in dataclasses.fields(pelagic.WaveSystem)}
+    assert (here.pop("spectrum"), here.pop("spreading")) == ("jonswap", "paper")
+    there = defaults_of_library(_native.pelagic_wave_system)
+    assert here == {name: there[name] for name in here}
+
+
+def test_the_systems_of_a_sea_are_any_sequence_of_at_most_eight():
+    system = pelagic.WaveSystem(height_m=2, spreading="hasselmann", direction_rad=1)
+    struct = _native.sized(_native.pelagic_sea, systems=(_structs.struct_of(_native.pelagic_wave_system, system),) * 2, system_count=2)
+    assert pelagic.Sea._of_library(struct).systems == (system, system)
+    assert pelagic.Sea(systems=[]) == pelagic.Sea()
+    for error, line, make in (
+            (ValueError, "height_m -1 is out of range [0, 30]", lambda: pelagic.WaveSystem(height_m=-1)),
+            (ValueError, "spectrum is chop, expected phillips-paper, phillips, pierson-moskowitz or jonswap", lambda: pelagic.WaveSystem(spectrum="chop")),
+            (ValueError, "len(systems) is 9, expected 0 to 8", lambda: pelagic.Sea(systems=[system] * 9)),
+            (TypeError, "systems is 3, expected a sequence of pelagic.WaveSystem", lambda: pelagic.Sea(systems=3)),
+            (TypeError, "systems[1] is 3, expected a pelagic.WaveSystem", lambda: pelagic.Sea(systems=[system, 3]))):
+        with pytest.raises(error) as refused:
+            make()
+        assert str(refused.value) == line
 
 
 def test_a_hull_has_the_defaults_of_the_library():
@@ -39,7 +63,7 @@ def test_each_field_documents_its_range():
     named_differently = {"swell_spread_rad", "wave_height_m"}
     found = 0
     for field in dataclasses.fields(pelagic.Sea):
-        if isinstance(field.default, str) or field.name in named_differently:
+        if isinstance(field.default, (str, tuple)) or field.name in named_differently:
             continue
         interval = re.search(r"[\[(]-?[\d.].*?[\])]", accepted_by_library(pelagic.Sea, field.name, field.default))
         if interval:

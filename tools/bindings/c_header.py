@@ -207,7 +207,7 @@ def read_fields(body, at, comments):
 
 def read_defaults(struct, body):
     """The assignments of pelagic_..._make()."""
-    if not re.match(r"\s*PELAGIC_(MAKE|ZEROS)\(" + struct.name + r"\b", body):
+    if not re.match(r"\s*PELAGIC_(MAKE|ZEROS|RECORD)\(" + struct.name + r"\b", body):
         raise ValueError(f"{struct.name}_make does not begin with zeros")
     names = {field.name for field in struct.fields}
     for statement in body.split(";")[1:-1]:

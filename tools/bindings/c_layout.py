@@ -31,7 +31,7 @@ def program(header):
 def numbers(header):
     """The fields of structs that pelagic_..._make() returns, without pointers and arrays."""
     for struct in header.structs:
-        for field in struct.fields if struct.has_size else []:
+        for field in struct.fields if struct.has_size or struct.defaults else []:
             if field.name != "struct_size" and not field.count and not field.type.pointers and field.type.base in c_header.SIZES:
                 yield struct, field
 

@@ -104,12 +104,45 @@ def write_enum(names, enum):
     return lines + ["    }", ""]
 
 
+def is_list(names, field):
+    return field.count and names.header.struct(field.type.base)
+
+
+def count_of(field):
+    """The field that holds the number of elements of a list."""
+    return field.name.removesuffix("s") + "_count"
+
+
+def write_list(names, field):
+    """A fixed array of structs and its number of elements as a property of an array. C# has no fixed arrays of structs,
+    so each element is a field."""
+    type_, count = field_type(names, field.type), count_of(field)
+    return [f"        internal {type_} {', '.join(f'{field.name}_{i}' for i in range(field.count))};",
+            *names.doc(field.doc, "        "),
+            f"        public unsafe {type_}[] {pascal(field.name)}", "        {",
+            "            get", "            {",
+            f"                var all = new {type_}[{count}];",
+            f"                fixed ({type_}* first = &{field.name}_0)",
+            "                    for (var i = 0; i < all.Length; ++i) all[i] = first[i];",
+            "                return all;", "            }",
+            "            set", "            {",
+            f"                if (value.Length > {field.count}) throw new ArgumentException("
+            f"$\"{pascal(field.name)} has {{value.Length}} elements, expected 0 to {field.count}\");",
+            f"                {count} = value.Length;",
+            f"                fixed ({type_}* first = &{field.name}_0)",
+            f"                    for (var i = 0; i < {field.count}; ++i) first[i] = i < value.Length ? value[i] : default({type_});",
+            "            }", "        }"]
+
+
 def write_public_struct(names, struct):
     name = type_name(struct.name)
     lines = names.doc(struct.doc, "    ") + ["    [StructLayout(LayoutKind.Sequential)]", f"    public partial struct {name}", "    {"]
     for field in struct.fields:
-        if field.name == "struct_size":
+        if field.name in ("struct_size", *(count_of(f) for f in struct.fields if is_list(names, f))):
             lines.append(f"        internal {field_type(names, field.type)} {field.name};")
+            continue
+        if is_list(names, field):
+            lines += write_list(names, field)
             continue
         lines += names.doc(field.doc, "        ")
         type_ = names.enums[field.enum.prefix] if field.enum else field_type(names, field.type)
@@ -158,8 +191,8 @@ def write_option_class(names, struct):
 def write_make(names, struct):
     """A function that returns a struct with its size and defaults, as pelagic_..._make() of C."""
     type_ = field_type(names, c_header.Type(struct.name))
-    lines = [f"        internal static {type_} {struct.name}_make()", "        {", f"            return new {type_}", "            {",
-             f"                struct_size = (uint)sizeof({type_}),"]
+    lines = [f"        internal static {type_} {struct.name}_make()", "        {", f"            return new {type_}", "            {"]
+    lines += [f"                struct_size = (uint)sizeof({type_}),"] if struct.has_size else []
     for field in struct.fields:
         if field.name in struct.defaults:
             name = pascal(field.name) if is_public(struct) else field.name

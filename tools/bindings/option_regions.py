@@ -49,12 +49,16 @@ def cpp_number(option, value):
 
 
 def cpp_default(option):
+    if option.records:
+        return "{}"
     if option.enum:
         return f"{option.enum.name.split('::')[-1]}::{option.default.replace('-', '_')}"
     return cpp_number(option, option.default)
 
 
 def cpp_type(option):
+    if option.records:
+        return f"std::vector<{option.records.struct}>"
     return option.enum.name.split("::")[-1] if option.enum else CPP_TYPES[option.type]
 
 
@@ -112,7 +116,7 @@ def cpp_table(schema):
     """The rows of a table of NumericField."""
     lines = []
     for option in schema.options:
-        if option.type in ("enum", "bool"):
+        if option.type in ("enum", "bool", "records"):
             continue
         is_above = option.type != "uint32" and option.limits() and option.limits()[2]
         restriction = RESTRICTIONS.get(option.must_be, "Restriction::above_min" if is_above else "")
@@ -158,7 +162,7 @@ def flags(schema):
     """The rows of a table of numeric flags and keys of files."""
     lines = []
     for option in schema.options:
-        if option.enum:
+        if option.enum or option.records:
             continue
         needs = f"Needs::{option.needs or 'nothing'}"
         first = f'{{"{flag_of(option)}", "{option.name}", "{option.flag_help or option.text}",'
@@ -173,13 +177,27 @@ def named_flags(schema):
             for option in schema.options if option.enum]
 
 
-def enumeration_checks(schema):
-    """Checks of enumerations in check(), of a parameter `sea`."""
+def record_keys(schema):
+    """Calls of visit for the keys of a record in files and on the command line."""
+    return [f'visit("{option.key or flag_of(option).replace("-", "_")}", &{schema.struct}::{option.name}, "{option.flag_accepted}");'
+            for option in schema.options]
+
+
+def variable_of(schema):
+    """What code calls a struct: the last word of its name."""
+    return schema.c.split("_")[-1]
+
+
+def checks(schema):
+    """Checks of enumerations and lists in check()."""
     lines = []
     for option in schema.options:
+        member = f"{variable_of(schema)}.{option.name}"
         if option.enum:
-            lines += [f"if (static_cast<std::size_t>(sea.{option.name}) >= names_of<{option.enum.name}>().size())",
+            lines += [f"if (static_cast<std::size_t>({member}) >= names_of<{option.enum.name}>().size())",
                       f'    return "{option.name} is no known model";']
+        if option.records:
+            lines += [f'if (const std::string reason = check_records("{option.name}", {member}, {option.max}); !reason.empty()) return reason;']
     return lines
 
 
@@ -195,17 +213,23 @@ def c_default_of(option):
     return option.default if option.c_default is None else option.c_default
 
 
+def c_type(option):
+    return option.records.c if option.records else C_TYPES[option.type]
+
+
 def c_options(schema):
     """The options of the C struct, those of 4 bytes first, so that the struct has no holes."""
     options = [option for option in schema.options if option.is_in("C")]
-    return sorted(options, key=lambda option: C_TYPES[option.type] == "double")
+    options += [option.count() for option in options if option.records]
+    return sorted(options, key=lambda option: option.type in ("double", "records"))
 
 
 def c_fields(schema):
     """The members of a C struct after struct_size."""
     lines = []
-    for (type_, text), options in itertools.groupby(c_options(schema), lambda option: (C_TYPES[option.type], c_description(option))):
-        member = f"{type_} {', '.join(option.name for option in options)};"
+    for (type_, text), options in itertools.groupby(c_options(schema), lambda option: (c_type(option), c_description(option))):
+        names = [option.name + (f"[{option.max}]" if option.records else "") for option in options]
+        member = f"{type_} {', '.join(names)};"
         lines += with_comment(member, text, f" /* {of_member(text)} */", c_comment(sentence(text)), C_WIDTH)
     return aligned(lines, " /* ")
 
@@ -234,29 +258,35 @@ def c_enums(schema):
 
 def c_make(schema):
     """The function that returns the defaults."""
-    name = schema.c.split("_")[-1]
+    name, zeros = variable_of(schema), "PELAGIC_RECORD" if schema.is_record else "PELAGIC_ZEROS"
     statements = []
     for option in c_options(schema):
         value = option.enum.c_values()[[v for v, _ in option.enum.values].index(option.default)] if option.enum else c_default_of(option)
         if str(value) != "0" and (not option.enum or option.enum.c_values()[0] != value):
             statements.append(f"{name}.{option.name}\0=\0{value};")
     head = f"static inline {schema.c} {schema.c}_make(void) {{"
-    if not statements:
+    if not statements and not schema.is_record:
         return [f"{head} PELAGIC_MAKE({schema.c}); }}"]
-    text = " ".join([f"PELAGIC_ZEROS({schema.c},\0{name});", *statements, f"return\0{name};"])
+    text = " ".join([f"{zeros}({schema.c},\0{name});", *statements, f"return\0{name};"])
     body = textwrap.wrap(text, C_WIDTH, initial_indent="    ", subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
     return [head, *(line.replace("\0", " ") for line in body), "}"]
 
 
 def c_struct(schema):
     """A C struct of nothing but options, and the function that returns the defaults."""
-    return [f"typedef struct {schema.c} {{", *("    " + line for line in ["uint32_t struct_size;", *c_fields(schema)]), f"}} {schema.c};", *c_make(schema)]
+    size = [] if schema.is_record else ["uint32_t struct_size;"]
+    return [f"typedef struct {schema.c} {{", *("    " + line for line in size + c_fields(schema)), f"}} {schema.c};", *c_make(schema)]
 
 
 def c_checks(schema):
     """Checks that C and C++ number the values of enumerations alike."""
     return [f"static_assert({c} == static_cast<int>({enum.name}::{cpp}));"
             for enum in schema.enums for c, cpp in zip(enum.c_values(), enum.cpp_values())]
+
+
+def cpp_reader(schema):
+    """The function that reads a record of C: wave_system_of(from, prefix). That which writes one begins with c_."""
+    return schema.c.removeprefix("pelagic_") + "_of"
 
 
 def c_reads(schema):
@@ -266,7 +296,9 @@ def c_reads(schema):
         if not option.is_in("C"):
             continue
         member = f"from.{option.name}"
-        if option.enum:
+        if option.records:
+            member = f'records_of({member}, from.{option.count().name}, prefix, "{option.name}", {cpp_reader(option.records)})'
+        elif option.enum:
             member = f'enum_of<{option.enum.name}>({member}, prefix, "{option.name}", "one of {option.enum.c}...")'
         elif option.c_default is not None:
             member = f"{member} == {option.c_default} ? {option.default} : {member}"
@@ -281,6 +313,9 @@ def c_writes(schema):
         if not option.is_in("C"):
             continue
         member = f"from.{option.name}"
+        if option.records:
+            lines.append(f"to.{option.count().name} = write_records({member}, to.{option.name}, c_{cpp_reader(option.records)});")
+            continue
         if option.enum:
             member = f"static_cast<std::int32_t>({member})"
         elif option.c_default is not None:
@@ -294,7 +329,13 @@ def c_writes(schema):
 PYTHON_TYPES = {"double": "float", "float": "float", "int": "int", "uint32": "int", "bool": "bool", "enum": "str"}
 
 
+def python_type(option):
+    return f"tuple[{option.records.struct}, ...]" if option.records else PYTHON_TYPES[option.type]
+
+
 def python_default(option):
+    if option.records:
+        return "()"
     if option.enum:
         return f'"{option.default}"'
     text = str(option.default)
@@ -309,7 +350,7 @@ def python_fields(schema):
             continue
         words = [f'"{name}"' + (f" ({named(about, str).rstrip('.')})" if about else "") for name, about in option.enum.values] if option.enum else []
         text = sentence(description(option, values=": " + ", ".join(words) if words else ""))
-        lines.append(f"{option.name}: {PYTHON_TYPES[option.type]} = {python_default(option)}")
+        lines.append(f"{option.name}: {python_type(option)} = {python_default(option)}")
         lines += wrapped('"""' + text + '"""', "")
     return lines
 
@@ -337,6 +378,8 @@ def typescript_text(option):
         text += " " + named(option.more, camel_case)
     if option.required:
         return text
+    if option.records:
+        return f"{text} Default: none."
     default = f'"{option.default}"' if option.enum else javascript_number(option.default)
     return f"{text} Default {default}" + (f": {named(option.derivation, camel_case)}." if option.derived and option.derived_value is None else ".")
 
@@ -351,7 +394,8 @@ def typescript_fields(schema):
         comment = f"/** {text} */"
         lines += [comment] if len(comment) <= COMMENT_WIDTH else ["/**"] + wrapped(text, " * ") + [" */"]
         words = " | ".join(f"'{name}'" for name, _ in option.enum.values) if option.enum else ""
-        lines.append(f"{camel_case(option.name)}{'' if option.required else '?'}: {words or ('boolean' if option.type == 'bool' else 'number')};")
+        type_ = f"{option.records.struct}[]" if option.records else "boolean" if option.type == "bool" else "number"
+        lines.append(f"{camel_case(option.name)}{'' if option.required else '?'}: {words or type_};")
     return lines
 
 
@@ -424,7 +468,7 @@ def page_table(schema):
             lines.append(f"| `{option.name}` | {values} | `{option.default}` | {named(option.text, str)} |")
             continue
         is_derived = option.derived and option.derived_value is None
-        default = "derived" if is_derived else str(option.default) if len(str(option.default)) < 10 else f"{option.default:.4g}"
+        default = "none" if option.records else "derived" if is_derived else str(option.default) if len(str(option.default)) < 10 else f"{option.default:.4g}"
         meaning = named(option.text, str) + (f"; {option.also()}: {named(option.derivation, str)}" if option.derivation else "")
         lines.append(f"| `{option.name}` | {named(option.in_descriptions(), str)} | {default} | {meaning} |")
     return lines
@@ -434,9 +478,9 @@ def number_table(schema):
     """A page's table of the numbers that languages without radians have."""
     return ["| property | | range | default |", "|---|---|---|---|"] + [
         f"| `{option.name}` | {named(option.text, str)} | {named(option.in_messages(), str)} | {javascript_number(option.default)} |"
-        for option in schema.options if not option.enum and option.unit != "rad"]
+        for option in schema.options if not option.enum and not option.records and option.unit != "rad"]
 
 
-RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "enumeration-checks": enumeration_checks, "c-members": c_fields,
+RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "checks": checks, "record-keys": record_keys, "c-members": c_fields,
              "c-enumerations": c_enums, "c-make": c_make, "c-struct": c_struct, "c-checks": c_checks, "c-reads": c_reads, "c-writes": c_writes,
              "python-fields": python_fields, "python-names": python_names, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table, "numbers-of-page": number_table}

@@ -14,7 +14,7 @@ import re
 import sys
 
 import option_regions
-from schema import SchemaError, read_schema
+from schema import SchemaError, read_schemas
 
 SUFFIXES = {".hpp", ".cpp", ".h", ".py", ".ts", ".md", ".cs"}
 FOLDERS = ("analytic", "capi", "contrib", "docs", "examples", "floating", "gl", "python", "quadtree", "sim", "tools", "web")
@@ -70,7 +70,7 @@ def main():
     tree = pathlib.Path(folders[0]) if folders else pathlib.Path(__file__).resolve().parents[2]
     stale = []
     try:
-        schemas = {path.name: read_schema(path) for path in sorted((tree / "schema").glob("*.toml"))}
+        schemas = read_schemas(tree / "schema")
         changed = [entry for entry in generated(tree, schemas) if entry[1] != entry[2]]
     except SchemaError as error:
         sys.exit(f"options.py: {error}")

@@ -13,7 +13,7 @@ TYPES = {"double", "float", "int", "uint32", "bool"}
 CONDITIONS = {"", "a power of two", "an even number"}
 OPTION_KEYS = {"name", "unit", "type", "enum", "default", "c_default", "range", "accepted", "shown", "must_be", "derived",
                "derived_value", "derivation", "text", "more", "only", "needs", "group", "flag_help",
-               "flag_default", "flag_accepted", "blender", "required"}
+               "flag_default", "flag_accepted", "blender", "required", "records", "max", "key"}
 SCHEMA_KEYS = {"struct", "c", "enum", "option"}
 
 
@@ -71,9 +71,21 @@ class Option:
     flag_accepted: str = ""
     blender: dict = None
     required: bool = False      # the default is not an accepted value
+    records: "Schema" = None    # of a list: the schema of its elements, whose largest number is `max`
+    max: int = 0
+    key: str = ""               # the name in texts of records, where it is not the member's without its unit
 
     def is_in(self, language):
         return self.only is None or language in self.only
+
+    @property
+    def element(self):
+        """What an element of a list is called: "system" of systems."""
+        return self.name.removesuffix("s")
+
+    def count(self):
+        """The member of C that holds the number of elements."""
+        return Option(f"{self.element}_count", f"number of {self.name}", "int", range=f"[0, {self.max}]")
 
     def limits(self):
         """Minimum and maximum as texts, and whether the minimum is left out. None: any finite number."""
@@ -96,6 +108,8 @@ class Option:
         """A range, in which {names} of other options stand in braces."""
         if given:
             return given
+        if self.records:
+            return f"at most {self.max}"
         if self.type == "uint32":
             return "a whole number from 0 to 4294967295"
         if self.range == "any":
@@ -113,6 +127,7 @@ class Schema:
     options: list
     enums: list
     c: str = ""
+    is_record: bool = False     # an element of a list
 
 
 def number_of(text):
@@ -134,7 +149,7 @@ def read_option(file, entry, enums):
     where = f"{file}: {name}"
     if unknown := entry.keys() - OPTION_KEYS:
         raise SchemaError(f"{where} has the unknown key {min(unknown)}, accepted: {', '.join(sorted(OPTION_KEYS))}")
-    for needed in ("name", "default", "text"):
+    for needed in ("name", "max" if "records" in entry else "default", "text"):
         if needed not in entry:
             raise SchemaError(f"{where} has no {needed}")
     option = Option(**{**entry, "text": " ".join(entry["text"].split()), "more": " ".join(entry.get("more", "").split()),
@@ -150,6 +165,11 @@ def read_option(file, entry, enums):
         option.type = "enum"
         if option.default not in [value for value, _ in option.enum.values]:
             raise SchemaError(f"{where} has the default {option.default}, expected one of {', '.join(v for v, _ in option.enum.values)}")
+        return option
+    if option.records:
+        if not name.endswith("s"):
+            raise SchemaError(f"{where} is a list, expected a name that ends in s")
+        option.type = "records"
         return option
     if option.type not in TYPES:
         raise SchemaError(f"{where} has the unknown type {option.type}, accepted: {', '.join(sorted(TYPES))}")
@@ -169,16 +189,39 @@ def read_option(file, entry, enums):
     return option
 
 
-def read_schema(path):
+def read_table(path):
     try:
         table = tomllib.loads(path.read_text(), parse_float=Number)
     except tomllib.TOMLDecodeError as error:
         raise SchemaError(f"{path.name}: {error}")
     if unknown := table.keys() - SCHEMA_KEYS:
         raise SchemaError(f"{path.name} has the unknown key {min(unknown)}, accepted: {', '.join(sorted(SCHEMA_KEYS))}")
-    enums = list(read_enums(path.name, table.get("enum", {})))
-    options = [read_option(path.name, entry, enums) for entry in table["option"]]
+    return table
+
+
+def read_schema(file, table, enums):
+    """A schema whose options may have enumerations of all files."""
+    options = [read_option(file, entry, sum(enums.values(), [])) for entry in table["option"]]
     names = [option.name for option in options]
     if twice := [name for name in names if names.count(name) > 1]:
-        raise SchemaError(f"{path.name} has {twice[0]} twice")
-    return Schema(path.name, table["struct"], options, enums, table.get("c", ""))
+        raise SchemaError(f"{file} has {twice[0]} twice")
+    return Schema(file, table["struct"], options, enums[file], table.get("c", ""))
+
+
+def link_records(schemas):
+    """Gives lists the schemas of their elements, which have no lists themselves."""
+    for schema in schemas.values():
+        for option in [option for option in schema.options if option.records]:
+            element = schemas.get(option.records)
+            if not element or any(inner.records for inner in element.options):
+                raise SchemaError(f"{schema.file}: {option.name} is a list of {option.records}, expected a file of schema/ without lists")
+            option.records, element.is_record = element, True
+
+
+def read_schemas(folder):
+    """The schemas of a folder by the names of their files."""
+    tables = {path.name: read_table(path) for path in sorted(folder.glob("*.toml"))}
+    enums = {file: list(read_enums(file, table.get("enum", {}))) for file, table in tables.items()}
+    schemas = {file: read_schema(file, table, enums) for file, table in tables.items()}
+    link_records(schemas)
+    return schemas

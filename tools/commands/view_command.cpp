@@ -14,6 +14,7 @@
 #include "pelagic/tools/encode/image_codec.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/scene_options.hpp"
+#include "pelagic/tools/options/wave_systems.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
@@ -80,6 +81,7 @@ std::string render_command_of(const viewer::ViewResult& result) {
             if (c == '_') c = '-';
         text += " --" + flag + " " + (is_angle ? degrees_text(value) : number_text(value));
     }
+    for (const WaveSystem& system : sea.systems) text += " --system \"" + text_of(system) + '"';
     text += " --camera " + point_text(result.camera.position_m) + " --target " + point_text(result.camera.target_m) +
             " --fov " + degrees_text(result.camera.vertical_view_rad) + " --sun " +
             degrees_text(static_cast<double>(result.settings.sky.sun_azimuth_rad)) + "," +

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "pelagic/simd/det_math.hpp"
@@ -15,12 +14,12 @@
 #include "pelagic/tools/meshes/hull_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/typed_number.hpp"
 
 namespace pelagic::tools {
 namespace {
 
 constexpr const char* a_file = "a CSV file whose first line names time,x,z,radius,height";
-constexpr double radians_per_degree = std::numbers::pi / 180;
 
 enum class Column { time, x, z, radius, height, velocity, heading, duration, length, mode, hull };
 

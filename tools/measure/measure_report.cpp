@@ -94,7 +94,7 @@ Json wave_statistics_json(const MeasuredWaves& found, const SeaState& sea, const
                                          report.expected_periods.tm02_s)}};
     if (!report.wind_sea || !report.swell) return json;
     const ComponentPeaks peaks = component_peaks(found.by_harmonic, sea);
-    const auto component = [&](const std::optional<double>& peak_s, const WaveSystem& of) {
+    const auto component = [&](const std::optional<double>& peak_s, const SystemStatistics& of) {
         return three(or_null(peak_s), of.realised_peak_period_s.value_or(0), of.peak_period_s);
     };
     json["wind_sea_peak_period_s"] = component(peaks.wind_sea_s, *report.wind_sea);

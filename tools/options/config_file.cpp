@@ -80,19 +80,40 @@ toml::table parsed_toml(std::string_view text, const std::filesystem::path& file
     }
 }
 
+/// Returns the entry of tables [[system]].
+ConfigEntry entry_of_list(const std::string& key, const toml::node& node, const std::filesystem::path& file) {
+    ConfigEntry entry{.key = key, .value = "", .location = location_of(file, node.source()), .quoted = false};
+    if (!node.is_array_of_tables() && !(node.is_array() && node.as_array()->empty()))
+        throw InputError(entry.location + ": " + key + " is no table, expected lines [[" + key + "]]");
+    for (const toml::node& record : *node.as_array()) {
+        std::vector<ConfigEntry>& values = entry.records.emplace_back();
+        for (const auto& [name, value] : *record.as_table()) {
+            const std::string place = location_of(file, value.source());
+            values.push_back({.key = std::string(name.str()),
+                              .value = toml_value_text(value, place, name.str()),
+                              .location = place,
+                              .quoted = value.is_string()});
+        }
+    }
+    return entry;
+}
+
 std::vector<ConfigEntry> entries_of_table(const toml::table& table, const std::filesystem::path& file,
                                           std::span<const std::string> known) {
     std::vector<ConfigEntry> entries;
     for (const auto& [name, node] : table) {
         const std::string key(name.str());
         const std::string location = location_of(file, node.source());
-        if (node.is_table())
+        if (node.is_table() && key != list_key)
             throw InputError(location + ": " + key +
                              " is a table, expected known keys at the top level, such as wind_speed = 9.0");
         if (std::find(known.begin(), known.end(), key) == known.end())
             throw InputError(location + ": unknown key " + key + ", expected " + list_of(known) +
                              nearest_hint(key, known));
-        entries.push_back({key, toml_value_text(node, location, key), location, node.is_string()});
+        if (key == list_key)
+            entries.push_back(entry_of_list(key, node, file));
+        else
+            entries.push_back({key, toml_value_text(node, location, key), location, node.is_string()});
     }
     return entries;
 }

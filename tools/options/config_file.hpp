@@ -19,14 +19,19 @@ struct ConfigEntry {
     bool quoted;           ///< true for a quoted string, false for a number
     /// Of a sea.json, which holds every option: those that do not apply, and 0 for a derived value.
     bool is_recorded = false;
+    /// Of the key list_key: the keys of each table.
+    std::vector<std::vector<ConfigEntry>> records = {};
 };
+
+/// The key of tables [[system]], of which a sea has several.
+inline constexpr std::string_view list_key = "system";
 
 /// Returns the top-level keys of a TOML text.
 /// \param file   the file's name, for messages
 /// \param known  the accepted keys, which the message about an unknown key lists
 /// \throws InputError  on one line with file and line number, for malformed TOML, more than 1 MiB,
-///                     more than 4096 bytes or 16 dots on a line, duplicate keys, tables, arrays
-///                     and unknown keys
+///                     more than 4096 bytes or 16 dots on a line, duplicate keys, tables and
+///                     arrays but those of list_key, and unknown keys
 std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
                                       std::span<const std::string> known);
 

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/options/config_file.hpp"
+#include "pelagic/tools/options/wave_systems.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
+#include "pelagic/tools/text/typed_number.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -92,18 +93,9 @@ const SeaStateField& field_of(const SeaFlag& flag) {
 }
 
 bool is_roughness(const SeaFlag& flag) { return flag.field == "roughness"; }
-bool is_direction(const SeaFlag& flag) { return flag.field.ends_with("_direction_rad"); }
-bool is_speed(const SeaFlag& flag) { return flag.field == "wind_speed_mps"; }
-bool is_duration(const SeaFlag& flag) { return flag.field.ends_with("_s"); }
 
 std::string accepted_by(const SeaFlag& flag) {
-    if (is_direction(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
-    if (!flag.shown_accepted.empty()) return std::string(flag.shown_accepted);
-    std::string accepted(field_of(flag).accepted);
-    // an option or file has no value for "chosen": it leaves the option out
-    if (const std::size_t at = accepted.find(", or "); field_of(flag).also) accepted.erase(at);
-    if (is_duration(flag)) return accepted + " s, or with a unit such as 4s, 2min";
-    return is_speed(flag) ? accepted + " " + speed_units : accepted;
+    return flag.shown_accepted.empty() ? accepted_when_typed(field_of(flag)) : std::string(flag.shown_accepted);
 }
 
 /// Returns the field of a flag: "wind_speed_mps" for "wind-speed".
@@ -111,23 +103,6 @@ std::string_view field_of_flag(std::string_view flag) {
     for (const SeaFlag& number : sea_flags)
         if (number.flag == flag) return number.field;
     return flag;
-}
-
-/// Returns true if a config file may contain a string for this flag, such as "20kn" or "from-NW".
-bool takes_words(const SeaFlag& flag) {
-    return is_direction(flag) || is_speed(flag) || is_duration(flag) || is_roughness(flag);
-}
-
-/// Parses a value in the flag's unit; the unit of angles is degrees.
-std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) {
-    if (is_speed(flag)) return parse_speed_mps(text);
-    if (is_duration(flag)) return parse_seconds(text);
-    if (is_roughness(flag) && text == "wind") return -1;
-    if (is_direction(flag))
-        if (const auto degrees = parse_compass_deg(text)) return degrees;
-    const bool is_whole = !std::holds_alternative<double SeaState::*>(field_of(flag).member);
-    if (is_whole && !parse_integer(text)) return {};
-    return parse_number(text);
 }
 
 std::string default_of(const SeaFlag& flag) {
@@ -154,19 +129,12 @@ std::string names_of_presets() {
 
 /// Returns the values that a flag accepts, as short as a line of help needs.
 std::string accepted_in_help(const SeaFlag& flag) {
-    if (is_direction(flag)) return "degrees from +x (east) to +z (south), or from-NW";
-    if (is_speed(flag)) return std::string(field_of(flag).accepted) + " m/s or 20kn, 40km/h, bft6";
-    if (is_duration(flag)) return std::string(field_of(flag).accepted);
+    if (is_direction(flag.field)) return "degrees from +x (east) to +z (south), or from-NW";
+    if (is_speed(flag.field)) return std::string(field_of(flag).accepted) + " m/s or 20kn, 40km/h, bft6";
+    if (is_duration(flag.field)) return std::string(field_of(flag).accepted);
     const std::string accepted = accepted_by(flag);
     constexpr std::string_view whole = "a whole number from ";
     return accepted.starts_with(whole) ? accepted.substr(whole.size()) : accepted;
-}
-
-/// Returns degrees rounded to 1e-6 if they convert to exactly these radians: 30, not
-/// 29.999999999999996.
-double degrees_of(double radians) {
-    const double degrees = radians / radians_per_degree, typed = std::round(1e6 * degrees) / 1e6;
-    return typed * radians_per_degree == radians ? typed : degrees;
 }
 
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& option) {
@@ -193,19 +161,10 @@ void apply_preset(ResolvedSea& resolved, const std::string& name, const std::str
 void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& option,
                   bool is_recorded) {
     const SeaStateField& field = field_of(flag);
-    const std::optional<double> number = parse_value(flag, text);
-    if (is_direction(flag) && is_compass_point(text))
-        throw bad_value(
-            option, text,
-            "from-" + text + " or to-" + text + ": winds are named for where they come from, seas by where they go");
-    const SeaAngle* const angle = sea_angle(flag.field);
-    const double value = number ? (angle ? *number * radians_per_degree : *number) : 0;
-    const bool is_chosen = !is_recorded && field.also == value && parse_number(text);
-    if (!number || !field.accepts(value) || is_chosen) throw bad_value(option, text, accepted_by(flag));
-
-    field.set(resolved.sea, value);
+    if (is_roughness(flag) && text == "wind") return field.set(resolved.sea, *field.also);
+    const double number = set_typed(resolved.sea, field, text, option, accepted_by(flag), is_recorded);
     if (flag.field == "loop_period_s") resolved.has_loop_period = true;
-    if (angle) resolved.*angle->degrees = *number;
+    if (const SeaAngle* const angle = sea_angle(flag.field)) resolved.*angle->degrees = number;
 }
 
 /// Applies one option other than the preset. \param name  name of the flag
@@ -223,6 +182,7 @@ std::vector<std::string> configurable_flags() {
     std::vector<std::string> flags = {"preset"};
     for_each_enumeration([&](std::string_view flag, auto...) { flags.emplace_back(flag); });
     for (const SeaFlag& flag : sea_flags) flags.emplace_back(flag.flag);
+    flags.emplace_back(list_key);
     return flags;
 }
 
@@ -239,10 +199,14 @@ void apply_config(ResolvedSea& resolved, const std::vector<ConfigEntry>& config)
             if (flag == "preset" || entry.key != config_key(flag)) continue;
             const std::string option = entry.location + ": " + entry.key;
             for (const SeaFlag& number : sea_flags)
-                if (number.flag == flag && entry.quoted && (parse_number(entry.value) || !takes_words(number)))
+                if (number.flag == flag && entry.quoted &&
+                    (parse_number(entry.value) || !(takes_words(number.field) || is_roughness(number))))
                     throw bad_value(option, '"' + entry.value + '"',
                                     "a number without quotes: " + accepted_by(number));
-            apply(resolved, flag, entry.value, option, entry.is_recorded);
+            if (flag == list_key)
+                resolved.sea.systems = wave_systems_of(entry);
+            else
+                apply(resolved, flag, entry.value, option, entry.is_recorded);
         }
 }
 
@@ -279,12 +243,14 @@ void rename_field(std::string& reason, std::string_view field, const std::string
 /// Names fields by their flags: --wave-height for wave_height_m.
 std::string named_as_flags(std::string reason) {
     for (const SeaFlag& flag : sea_flags) rename_field(reason, flag.field, "--" + std::string(flag.flag));
+    rename_field(reason, "systems", "--system");
     return reason;
 }
 
 /// Names fields by their keys in a TOML file: wave_height for wave_height_m.
 std::string named_as_keys(std::string reason) {
     for (const SeaFlag& flag : sea_flags) rename_field(reason, flag.field, config_key(flag.flag));
+    rename_field(reason, "systems", std::string(list_key));
     for (const std::string& key : change_keys()) rename_field(reason, key + (key == "swell_from" ? "_m" : "_s"), key);
     return reason;
 }
@@ -369,12 +335,17 @@ void SeaOptions::add_to(CLI::App& app, PresetName preset) {
     });
     for (const SeaFlag& flag : sea_flags)
         add(flag.flag,
-            is_direction(flag) ? "HEADING"
-            : is_speed(flag)   ? "SPEED"
-                               : "NUMBER",
+            is_direction(flag.field) ? "HEADING"
+            : is_speed(flag.field)   ? "SPEED"
+                                     : "NUMBER",
             std::string(flag.help) + "; " + accepted_in_help(flag) + " (default: " +
                 (flag.field == "loop_period_s" ? number_text(loop_period_s_) : default_of(flag)) + ")",
             flag.group);
+    app.add_option("--system", typed_systems_, help_of_system())
+        ->type_name("SYSTEM")
+        ->group(help_group::swell)
+        ->expected(1)
+        ->take_all();
 }
 
 std::string SeaOptions::description_of_presets() {
@@ -388,7 +359,8 @@ std::string SeaOptions::description_of_presets() {
 }
 
 bool SeaOptions::is_given() const {
-    return std::any_of(typed_.begin(), typed_.end(), [](const auto& flag) { return flag.second.has_value(); });
+    return !typed_systems_.empty() ||
+           std::any_of(typed_.begin(), typed_.end(), [](const auto& flag) { return flag.second.has_value(); });
 }
 
 void SeaOptions::add_weather_to(CLI::App& app) {
@@ -498,6 +470,7 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config, Sea
     for (const std::string& flag : configurable_flags())
         if (const auto value = typed(flag); value && flag != "preset") apply(resolved, flag, *value, "--" + flag);
     if (!resolved.has_loop_period) resolved.sea.loop_period_s = loop_period_s_;
+    if (!typed_systems_.empty()) resolved.sea.systems = parse_wave_systems(typed_systems_);
     // Checks combinations; each option has been checked individually.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(named_as_flags(reason));
     store_defaults(resolved.sea);

@@ -5,7 +5,6 @@
 #include <CLI/App.hpp>
 #include <filesystem>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +14,7 @@
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/tools/options/config_file.hpp"
+#include "pelagic/tools/text/typed_number.hpp"
 
 namespace pelagic::tools {
 
@@ -48,9 +48,6 @@ inline Forecast forecast_of(const ResolvedSea& sea) {
                                     .swell_from_m = change.swell_from_m});
     return forecast;
 }
-
-inline constexpr double radians_per_degree = std::numbers::pi / 180;
-inline double in_degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 /// An angle, in radians in a SeaState and in degrees on the command line and in files.
 struct SeaAngle {
@@ -86,8 +83,8 @@ class SeaOptions {
     /// \param loop_period_s  default of the loop period, instead of the library's
     explicit SeaOptions(double loop_period_s) : loop_period_s_(loop_period_s) {}
 
-    /// Declares --preset, --config, --waves, --spectrum, --spreading and a flag for each numeric
-    /// field, with units, ranges and defaults.
+    /// Declares --preset, --config, --waves, --spectrum, --spreading, --system and a flag for each
+    /// numeric field, with units, ranges and defaults.
     /// \param preset  positional_too: the command line's first word names the preset, too
     void add_to(CLI::App& app, PresetName preset = PresetName::option);
     /// Returns a heading and one line per preset; the presets of Beaufort forces share a line.
@@ -119,6 +116,7 @@ class SeaOptions {
 
     double loop_period_s_ = SeaState{}.loop_period_s;
     std::map<std::string, std::optional<std::string>> typed_;  ///< command-line values by flag
+    std::vector<std::string> typed_systems_;                   ///< of --system
 };
 
 /// Returns "6.6 s", or "6.6 s, in this loop 4 s" if a loop of whole periods changes it by more than a

@@ -29,19 +29,45 @@ OrderedJson parse(std::string_view text, const std::filesystem::path& file) {
     }
 }
 
+/// \param key  by which the sea has the value. \throws InputError  unless it is a number or a text
+ConfigEntry entry_of(const std::string& key, const std::string& name, const OrderedJson& value,
+                     const std::string& location) {
+    if (!value.is_number() && !value.is_string())
+        throw InputError(location + ": " + name + " is of type " + value.type_name() +
+                         ", expected a number or a text");
+    return {key, value.is_string() ? value.get<std::string>() : value.dump(), location, value.is_string(), true};
+}
+
+/// Returns the entry of a list of objects, which keep the names of their values.
+ConfigEntry entry_of_list(const OrderedJson& list, const std::string& name, const std::string& location) {
+    ConfigEntry entry{.key = std::string(list_key), .value = "", .location = location, .quoted = false};
+    const auto reject = [&] {
+        throw InputError(location + ": " + name + " is no list of objects, expected a sea.json of pelagic export");
+    };
+    if (!list.is_array()) reject();
+    for (const OrderedJson& record : list) {
+        if (!record.is_object()) reject();
+        std::vector<ConfigEntry>& values = entry.records.emplace_back();
+        for (const auto& [key, value] : record.items())
+            values.push_back(entry_of(key, key, value, location + "." + name));
+    }
+    return entry;
+}
+
 std::vector<ConfigEntry> entries_of_sea(const OrderedJson& sea, const std::string& location,
                                         std::span<const std::string> known) {
     std::vector<ConfigEntry> entries;
+    const bool has_lists = std::find(known.begin(), known.end(), list_key) != known.end();
     for (const auto& [name, value] : sea.items()) {
+        if (has_lists && name == "systems") {
+            entries.push_back(entry_of_list(value, name, location));
+            continue;
+        }
         const std::string key = key_without_unit(name);
-        if (std::find(known.begin(), known.end(), key) == known.end())
+        if (key == list_key || std::find(known.begin(), known.end(), key) == known.end())
             throw InputError(location + ": unknown key " + name + ", expected " + list_of(known) +
                              nearest_hint(key, known));
-        if (!value.is_number() && !value.is_string())
-            throw InputError(location + ": " + name + " is of type " + value.type_name() +
-                             ", expected a number or a text");
-        entries.push_back(
-            {key, value.is_string() ? value.get<std::string>() : value.dump(), location, value.is_string(), true});
+        entries.push_back(entry_of(key, name, value, location));
     }
     return entries;
 }

@@ -163,6 +163,7 @@ std::string flag_at(std::string_view pointer) {
         return true;
     };
     if (remove("weather")) return "--weather";
+    if (remove("sea/systems")) return "--system";
     if (remove("sea/")) return flag_without_unit(key, {"_mps", "_deg", "_m", "_s"});
     if (!remove("export/")) return key;
     std::replace(key.begin(), key.end(), '/', '_');

@@ -43,6 +43,17 @@ Json mesh_as_json(const MeshOptions& options) {
             {"cascades", options.patch.cascades}};
 }
 
+Json system_as_json(const WaveSystem& system) {
+    Json json = {{"spectrum", name_of(system.spectrum)}, {"spreading", name_of(system.spreading)}};
+    for (const NumericField<WaveSystem>& field : wave_system_fields()) {
+        std::string name(field.name);
+        const double value = field.value_in(system);
+        if (is_angle(name)) name.replace(name.size() - 3, 3, "deg");
+        json[name] = is_angle(field.name) ? degrees_of(value) : value;
+    }
+    return json;
+}
+
 }  // namespace
 
 Json sea_as_json(const ResolvedSea& resolved) {
@@ -55,6 +66,7 @@ Json sea_as_json(const ResolvedSea& resolved) {
         else
             std::visit([&](auto member) { json[field.name] = sea.*member; }, field.member);
     }
+    for (const WaveSystem& system : sea.systems) json["systems"].push_back(system_as_json(system));
     return json;
 }
 
@@ -175,7 +187,7 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report,
     if (report.expected_convergence_variance > 0)
         json["convergence_variance"] =
             both(report.expected_convergence_variance, report.realised_convergence_variance);
-    const auto component = [&](const WaveSystem& of) -> Json {
+    const auto component = [&](const SystemStatistics& of) -> Json {
         return {
             {"significant_wave_height_m", both(of.significant_wave_height_m, of.realised_significant_wave_height_m)},
             {"peak_period_s", both(of.peak_period_s, of.realised_peak_period_s.value_or(0))}};

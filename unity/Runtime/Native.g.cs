@@ -143,6 +143,32 @@ namespace Pelagic
         Cubic = 1,
     }
 
+    /// <summary>A wave system: waves of one spectrum and one spreading. Zeros are not valid.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct WaveSystem
+    {
+        /// <summary>Spectrum; spectrum of the system</summary>
+        public Spectrum Spectrum;
+        /// <summary>Spreading; directional spreading, where SpreadRad is 0</summary>
+        public Spreading Spreading;
+        /// <summary>U10 of the wind of the system; (0, 60]</summary>
+        public double WindSpeedMps;
+        /// <summary>distance that this wind has blown over water (jonswap); (0, 2e6]</summary>
+        public double FetchM;
+        /// <summary>significant wave height, Hm0; [0, 30]. 0: by the wind</summary>
+        public double HeightM;
+        /// <summary>peak period; [1, 40]. 0: by the wind</summary>
+        public double PeakPeriodS;
+        /// <summary>
+        /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10].
+        /// </summary>
+        public double PeakEnhancement;
+        /// <summary>direction that the waves run towards, from +x towards +z; [-2 pi, 2 pi]</summary>
+        public double DirectionRad;
+        /// <summary>standard deviation of the directions; [pi/180, 4 pi/9]. 0: by spreading</summary>
+        public double SpreadRad;
+    }
+
     /// <summary>
     /// A sea state. Equal values and the same version of Pelagic give bit-identical seas on all machines.
     /// </summary>
@@ -179,6 +205,7 @@ namespace Pelagic
         /// Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves.
         /// </summary>
         public int WaveCount;
+        internal int system_count;
         /// <summary>
         /// L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived from the sea.
         /// </summary>
@@ -246,6 +273,25 @@ namespace Pelagic
         public double WaveHeightM;
         /// <summary>horizontal drag of a pond's short waves by its long ones; [0, 1]</summary>
         public double WaveDrag;
+        internal WaveSystem systems_0, systems_1, systems_2, systems_3, systems_4, systems_5, systems_6, systems_7;
+        /// <summary>Wave systems, in addition to the waves of the wind and the swell; at most 8.</summary>
+        public unsafe WaveSystem[] Systems
+        {
+            get
+            {
+                var all = new WaveSystem[system_count];
+                fixed (WaveSystem* first = &systems_0)
+                    for (var i = 0; i < all.Length; ++i) all[i] = first[i];
+                return all;
+            }
+            set
+            {
+                if (value.Length > 8) throw new ArgumentException($"Systems has {value.Length} elements, expected 0 to 8");
+                system_count = value.Length;
+                fixed (WaveSystem* first = &systems_0)
+                    for (var i = 0; i < 8; ++i) first[i] = i < value.Length ? value[i] : default(WaveSystem);
+            }
+        }
     }
 
     /// <summary>
@@ -1234,6 +1280,18 @@ namespace Pelagic
             internal uint struct_size;
             internal int wakes;
             internal IntPtr executor;
+        }
+
+        internal static WaveSystem pelagic_wave_system_make()
+        {
+            return new WaveSystem
+            {
+                Spectrum = Spectrum.Jonswap,
+                Spreading = Spreading.DonelanBanner,
+                WindSpeedMps = 12,
+                FetchM = 100e3,
+                PeakEnhancement = 3.3,
+            };
         }
 
         internal static Sea pelagic_sea_make()

@@ -1,5 +1,11 @@
 namespace Pelagic
 {
+    public partial struct WaveSystem
+    {
+        /// <summary>The default system, of jonswap and a wind of 12 m/s. All other systems begin with it.</summary>
+        public static WaveSystem Default => Native.pelagic_wave_system_make();
+    }
+
     public unsafe partial struct Sea
     {
         /// <summary>The default sea. All other seas begin with it or a preset: zeros are not valid.</summary>

@@ -9,6 +9,7 @@
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/near_names.hpp"
 #include "pelagic/sim/forecast.hpp"
+#include "pelagic/web/bindings/object_reader.hpp"
 
 namespace pelagic::web {
 namespace {
@@ -54,6 +55,33 @@ std::vector<std::string> preset_names() {
     throw std::invalid_argument(invalid_value_message(name, text_of(value), accepted));
 }
 
+WaveSystem wave_system_of(const std::string& name, const val& object) {
+    ObjectReader reader(name, name + ".", object);
+    WaveSystem system;
+    reader.take_word(system.spectrum, "spectrum");
+    reader.take_word(system.spreading, "spreading");
+    reader.take_fields(system, wave_system_fields());
+    reader.end();
+    return system;
+}
+
+std::vector<WaveSystem> wave_systems_of(const std::string& name, const val& list) {
+    if (!list.isArray()) reject(name, list, "an array");
+    std::vector<WaveSystem> systems;
+    for (int i = 0, count = list["length"].as<int>(); i < count; ++i)
+        systems.push_back(wave_system_of(name + "[" + number_text(i) + "]", list[i]));
+    return systems;
+}
+
+val object_of(const WaveSystem& system) {
+    val object = val::object();
+    object.set("spectrum", std::string(name_of(system.spectrum)));
+    object.set("spreading", std::string(name_of(system.spreading)));
+    for (const NumericField<WaveSystem>& field : wave_system_fields())
+        object.set(camel_case(field.name), field.value_in(system));
+    return object;
+}
+
 /// Returns false if the sea has no option of that name.
 bool set_option(SeaState& sea, const std::string& name, const val& value) {
     for (const WordOption& option : word_options())
@@ -66,7 +94,9 @@ bool set_option(SeaState& sea, const std::string& name, const val& value) {
             set_field(sea, field, name, value);
             return true;
         }
-    return false;
+    if (name != "systems") return false;
+    sea.systems = wave_systems_of(name, value);
+    return true;
 }
 
 std::vector<std::string> option_names(std::span<const std::string_view> others) {
@@ -74,6 +104,7 @@ std::vector<std::string> option_names(std::span<const std::string_view> others) 
     names.emplace_back("preset");
     for (const WordOption& option : word_options()) names.push_back(option.name);
     for (const SeaStateField& field : sea_state_fields()) names.push_back(camel_case(field.name));
+    names.emplace_back("systems");
     return names;
 }
 
@@ -167,6 +198,10 @@ val options_of(const SeaState& sea) {
     val options = val::object();
     for (const WordOption& option : word_options()) options.set(option.name, std::string(option.word_in(sea)));
     for (const SeaStateField& field : sea_state_fields()) options.set(camel_case(field.name), field.value_in(sea));
+    if (sea.systems.empty()) return options;
+    val systems = val::array();
+    for (const WaveSystem& system : sea.systems) systems.call<void>("push", object_of(system));
+    options.set("systems", systems);
     return options;
 }
 

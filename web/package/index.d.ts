@@ -2,6 +2,47 @@
 // bit-identical in every browser, in node and in the native library. Units: metres, seconds,
 // radians. Axes: x points east, y up, z south.
 
+/** A wave system: waves of one spectrum and one spreading. */
+export interface WaveSystem {
+  // generated from schema/wave_system.toml: properties
+  /**
+   * Spectrum of the system. "phillips-paper": scaled as in VR Ocean, without a swell. "phillips":
+   * Phillips' shape with a physical height. "pierson-moskowitz": a fully developed sea; no fetch.
+   * "jonswap": a sea that grows with the fetch. Default "jonswap".
+   */
+  spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap';
+  /**
+   * Directional spreading, where spreadRad is 0. "paper": VR Ocean, by windAlignment.
+   * "cosine-2s": measured, Longuet-Higgins et al. 1963. "hasselmann": measured, Hasselmann et al.
+   * 1980. "donelan-banner": measured, Donelan et al. 1985 and Banner 1990. Default
+   * "donelan-banner".
+   */
+  spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
+  /** U10 of the wind of the system, metres per second: (0, 60]. Default 12. */
+  windSpeedMps?: number;
+  /** Distance that this wind has blown over water (jonswap), metres: (0, 2e6]. Default 100000. */
+  fetchM?: number;
+  /** Significant wave height, Hm0, metres: [0, 30]. 0: by the wind. Default 0. */
+  heightM?: number;
+  /** Peak period, seconds: [1, 40], or 0: by the wind. Default 0: by the wind. */
+  peakPeriodS?: number;
+  /**
+   * Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap):
+   * [1, 10]. Default 3.3.
+   */
+  peakEnhancement?: number;
+  /**
+   * Direction that the waves run towards, from +x towards +z, radians: [-2 pi, 2 pi]. Default 0.
+   */
+  directionRad?: number;
+  /**
+   * Standard deviation of the directions, radians: [pi/180, 4 pi/9], or 0: by the spreading
+   * model. Default 0: by spreading.
+   */
+  spreadRad?: number;
+  // end of generated
+}
+
 /**
  * A sea state. createOcean() rejects unknown names, other types, NaN and values out of range with
  * an Error of one line.
@@ -135,6 +176,10 @@ export interface SeaOptions {
   waveHeightM?: number;
   /** Horizontal drag of a pond's short waves by its long ones: [0, 1]. Default 0.38. */
   waveDrag?: number;
+  /**
+   * Wave systems, in addition to the waves of the wind and the swell: at most 8. Default: none.
+   */
+  systems?: WaveSystem[];
   // end of generated
 }
 

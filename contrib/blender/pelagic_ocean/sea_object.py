@@ -123,6 +123,7 @@ def sea_of(settings):
 def record_of(settings):
     """Returns the sea as in sea.json, for `pelagic query --config`: angles in degrees."""
     record = dataclasses.asdict(sea_of(settings))
+    del record["systems"]  # of which no setting has any
     for name in [name for name in record if name.endswith("_rad")]:
         record[name[:-len("rad")] + "deg"] = round(math.degrees(record.pop(name)), 4) + 0.0
     return record
