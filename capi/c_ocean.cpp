@@ -304,21 +304,24 @@ using ApplicationTargets = OfEachCascade<pelagic_texture_targets, TextureTargets
 
 }  // namespace
 
-OceanOptions ocean_options_of(const pelagic_ocean_options& options) {
-    OceanOptions result{.queries = options.queries != 0,
-                        .velocities = options.velocities != 0,
-                        .gradients = textures_of("gradients", options.gradients),
-                        .slopes = textures_of("slopes", options.slopes),
-                        .foam = options.foam != 0,
-                        .planes = options.textures_only == 0};
-    if (options.executor) result.executor = options.executor->executor;
-    result.isa = isa_of(options.isa);
-    result.memory = allocator_of(options.allocate, options.release, options.memory_user);
-    if (options.dynamic_waves) result.dynamic_waves = dynamic_waves_options_of(options.dynamic_waves);
-    if (options.shore) result.shore = shore_options_of(options.shore);
-    if (options.spray) result.spray = spray_options_of(options.spray);
-    result.inputs = inputs_of(options.inputs, options.input_count);
-    return result;
+OceanOptions ocean_options_of(const pelagic_ocean_options& from) {
+    OceanOptions to;
+    // generated from schema/ocean.toml: c-reads
+    to.queries = from.queries != 0;
+    to.velocities = from.velocities != 0;
+    to.foam = from.foam != 0;
+    // end of generated
+    to.planes = from.textures_only == 0;
+    to.gradients = textures_of("gradients", from.gradients);
+    to.slopes = textures_of("slopes", from.slopes);
+    if (from.executor) to.executor = from.executor->executor;
+    to.isa = isa_of(from.isa);
+    to.memory = allocator_of(from.allocate, from.release, from.memory_user);
+    if (from.dynamic_waves) to.dynamic_waves = dynamic_waves_options_of(from.dynamic_waves);
+    if (from.shore) to.shore = shore_options_of(from.shore);
+    if (from.spray) to.spray = spray_options_of(from.spray);
+    to.inputs = inputs_of(from.inputs, from.input_count);
+    return to;
 }
 
 WaterFrame water_frame_of(const pelagic_water_frame* water) {

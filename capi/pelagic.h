@@ -371,51 +371,58 @@ typedef void* (*pelagic_allocate)(void* user, size_t bytes, size_t alignment);
 typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t alignment);
 
 /* Textures that each cascade has or not. DEFAULT depends on the sea and the other options. */
+/* generated from schema/ocean.toml: c-enumerations */
 enum { PELAGIC_TEXTURES_DEFAULT = 0, PELAGIC_TEXTURES_ON = 1, PELAGIC_TEXTURES_OFF = 2 };
+/* end of generated */
 
 typedef struct pelagic_ocean_options {
     uint32_t struct_size;
+    /* generated from schema/ocean.toml: c-members */
     /* Nonzero enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a frame. */
     int32_t queries;
-    /* Nonzero enables velocities; 12 N^2 bytes for each cascade of a frame, and about twice as many transforms. */
+    /* Nonzero adds velocities to frames and queries. 12 N^2 bytes for each cascade of a frame, and about twice as
+     * many transforms. */
     int32_t velocities;
-    /* Nonzero enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with a tick (five a
-     * second) then takes about twice as long. A jump in time computes 16 ticks, which take as long as ten to twenty
+    /* PELAGIC_TEXTURES_...; gradients of each cascade: normals, Jacobian and smoothness. By default a sea with
+     * cascades 1 has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off. */
+    int32_t gradients;
+    /* PELAGIC_TEXTURES_...; slopes and moments of each cascade, which add over cascades. By default all oceans
+     * have them but those of a sea with cascades 1 that have gradients and no foam. Foam needs them. */
+    int32_t slopes;
+    /* Nonzero enables foam of breaking waves, which drifts and fades over 2.8 seconds. A frame with a tick (five
+     * a second) takes about twice as long. A jump in time computes 16 ticks, which take as long as ten to twenty
      * frames. 49 N^2 bytes for each cascade. */
     int32_t foam;
-    /* Nonzero: frames have textures and bounds, but no planes. This moves fewer bytes and takes about 12 N^2 bytes
-     * less for each cascade; the textures are bit-identical. Cannot be combined with queries, velocities, dynamic
-     * waves, a shore, spray or wave inputs. */
+    /* Nonzero leaves textures and bounds of frames, and no planes. This moves fewer bytes and takes about 12 N^2
+     * bytes less for each cascade; the textures are bit-identical. Cannot be combined with queries, velocities,
+     * dynamic waves, a shore, spray or wave inputs. */
     int32_t textures_only;
-    /* Slopes and moments of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has 2 or more
-     * cascades, with foam, and without gradients. Foam needs them. */
-    int32_t slopes;
-    /* Gradients of each cascade, PELAGIC_TEXTURES_... They are on by default if the sea has 1 cascade, and without
-     * slopes. Slopes and gradients cannot both be off. */
-    int32_t gradients;
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
     /* "sse4.2", "avx2", "avx512" or "neon"; NULL: environment variable PELAGIC_ISA, else the widest of the CPU. */
     const char* isa;
-    double query_tolerance_m; /* largest error of a converged point; 0: 0.001, else [1e-6, 1000] */
-    /* Allocator of spectra, planes, textures and maps, which is all memory that grows with N^2. Both functions or
-     * neither; NULL: operator new. Tables, handles and graphs (some 100 KB) and what executors need, threads and
-     * oneTBB, come from operator new. */
-    pelagic_allocate allocate;
-    pelagic_release release;
-    void* memory_user; /* passed to both; must outlive the ocean */
     /* Dynamic waves, which are added to the cascades; NULL: none. Read before the call returns. */
     const struct pelagic_dynamic_waves_options* dynamic_waves;
     /* A sea floor that refracts waves; NULL: none. Read before the call returns. */
     const struct pelagic_shore_options* shore;
-    /* Spray of breaking crests and emitters; NULL: none. Read before the call returns. A frame with a tick (eleven a
-     * second) computes the displacement once more. 3.8 MB. */
+    /* Spray of breaking crests and emitters; NULL: none. Read before the call returns. A frame with a tick
+     * (eleven a second) computes the displacement once more. 3.8 MB. */
     const struct pelagic_spray_options* spray;
-    /* Wave inputs, which are added to the waves of the wind in this order; none may belong to another ocean. The
-     * ocean keeps what it needs of them. */
-    size_t input_count;
-    struct pelagic_input* const* inputs; /* `input_count` handles; may be NULL if that is 0 */
+    size_t input_count; /* number of `inputs` */
+    /* Wave inputs, `input_count` handles, which are added to the waves of the wind in this order; may be NULL if
+     * that is 0. None may belong to another ocean. The ocean keeps what it needs of them. */
+    struct pelagic_input* const* inputs;
+    /* Allocator of spectra, planes, textures and maps, which is all memory that grows with N^2. Both functions or
+     * neither; NULL: operator new. Tables, handles and graphs (some 100 KB) and what executors need, threads and
+     * oneTBB, come from operator new. */
+    pelagic_allocate allocate;
+    pelagic_release release;  /* frees what `allocate` returned */
+    void* memory_user;        /* passed to both; must outlive the ocean */
+    double query_tolerance_m; /* largest error of a converged point; [1e-6, 1000]. 0: 0.001 */
+    /* end of generated */
 } pelagic_ocean_options;
+/* generated from schema/ocean.toml: c-make */
 static inline pelagic_ocean_options pelagic_ocean_options_make(void) { PELAGIC_MAKE(pelagic_ocean_options); }
+/* end of generated */
 
 /* Returns the name of an instruction set for pelagic_ocean_options.isa, or NULL; `index` counts from 0, the narrowest
  * that the CPU supports. */
@@ -995,9 +1002,12 @@ PELAGIC_API pelagic_status pelagic_ocean_restore_spray(pelagic_ocean* ocean, con
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
     /* generated from schema/shore.toml: c-members */
-    int32_t columns;               /* samples of the floor along x; 2 to 4096 */
-    int32_t rows;                  /* samples of the floor along z; 2 to 4096 */
-    int32_t resolution;            /* texels along the longer side of the shore; 64, 128, 256, 512 or 1024 */
+    int32_t columns;    /* samples of the floor along x; 2 to 4096 */
+    int32_t rows;       /* samples of the floor along z; 2 to 4096 */
+    int32_t resolution; /* texels along the longer side of the shore; 64, 128, 256, 512 or 1024 */
+    /* Heights above the rest level, columns * rows of them, [-11000, 9000]; sample (i, j) is element j * columns
+     * + i. Read before the call returns. */
+    const float* heights_m;
     double corner_x_m, corner_z_m; /* position of the first sample; [-1e8, 1e8] */
     double metres_per_sample;      /* distance of neighbouring samples; [0.001, 10000] */
     /* Width of the strip along the edges over which the coarsest cascade fades into waves over the floor;
@@ -1008,9 +1018,6 @@ typedef struct pelagic_shore_options {
      * the median slope at the waterline. Waves in the water do not depend on it. */
     double swash_m;
     /* end of generated */
-    /* columns * rows heights above the rest level, [-11000, 9000]; sample (i, j) is element j * columns + i. Read
-     * before the call returns. */
-    const float* heights_m;
 } pelagic_shore_options;
 /* generated from schema/shore.toml: c-make */
 static inline pelagic_shore_options pelagic_shore_options_make(void) {
@@ -1255,7 +1262,16 @@ static inline pelagic_hull_mesh pelagic_hull_mesh_make(void) { PELAGIC_MAKE(pela
 typedef struct pelagic_hull_options {
     uint32_t struct_size;
     /* generated from schema/hull.toml: c-members */
-    double mass_kg;              /* mass, which has no default; [1e-6, 1e10] */
+    double mass_kg; /* mass, which has no default; [1e-6, 1e10] */
+    /* Three coordinates in the axes of the mesh; NULL: the centre of its volume. */
+    const double* centre_of_mass_m;
+    /* Three moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; NULL: those of a body
+     * that fills the mesh evenly. */
+    const double* inertia_kgm2;
+    /* Added mass at rest, a symmetric and positive semi-definite matrix of 6 x 6 numbers by rows: surge, heave,
+     * sway (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL: derived from the sizes of
+     * waterline and draught. */
+    const double* added_mass;
     double heave_damping;        /* fraction of critical damping, of pitch too; [0, 0.999] */
     double roll_damping;         /* fraction of critical damping of roll at |GM|; [0, 0.999] */
     double pressure_coefficient; /* drag of advancing faces; [0, 10] */
@@ -1271,15 +1287,6 @@ typedef struct pelagic_hull_options {
     double skeg_m2;
     double skeg_x_m, skeg_y_m; /* middle of the skeg in the axes of the mesh; [-1000, 1000] */
     /* end of generated */
-    /* Three coordinates in the axes of the mesh; NULL: the centre of its volume. */
-    const double* centre_of_mass_m;
-    /* Three moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; NULL: those of a body that
-     * fills the mesh evenly. */
-    const double* inertia_kgm2;
-    /* Added mass at rest, a symmetric and positive semi-definite matrix of 6 x 6 numbers by rows: surge, heave, sway
-     * (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL: derived from the sizes of waterline and
-     * draught. */
-    const double* added_mass;
 } pelagic_hull_options;
 /* generated from schema/hull.toml: c-make */
 static inline pelagic_hull_options pelagic_hull_options_make(void) {

@@ -58,18 +58,16 @@ class HullWake;
 using HullMatrix = std::array<std::array<double, 6>, 6>;
 
 struct HullOptions {
-    // generated from schema/hull.toml: members to mass_kg
+    // generated from schema/hull.toml: members
     double mass_kg = 0;  ///< mass, which has no default; [1e-6, 1e10]
-    // end of generated
-    /// In the axes of the mesh; unset: the centre of the mesh's volume.
+    /// Centre of mass in the axes of the mesh. Unset: the centre of the mesh's volume.
     std::optional<glm::dvec3> centre_of_mass_m = {};
-    /// Moments of inertia about the axes through the centre of mass, [1e-15, 1e16]; unset: those of
+    /// Moments of inertia about the axes through the centre of mass; [1e-15, 1e16]. Unset: those of
     /// a body that fills the mesh evenly.
     std::optional<glm::dvec3> inertia_kgm2 = {};
-    /// Added mass at rest, symmetric and positive semi-definite; unset: flat plates of the
+    /// Added mass at rest, symmetric and positive semi-definite. Unset: flat plates of the
     /// waterline's length and beam and of twice the draught (Newman, table 4.3).
     std::optional<HullMatrix> added_mass = {};
-    // generated from schema/hull.toml: members after mass_kg
     double heave_damping = 0.2;         ///< fraction of critical damping, of pitch too; [0, 0.999]
     double roll_damping = 0.05;         ///< fraction of critical damping of roll at |GM|; [0, 0.999]
     double pressure_coefficient = 0.7;  ///< drag of advancing faces; [0, 10]

@@ -13,7 +13,7 @@ inline constexpr double paper_patch_m = 64;
 
 /// A square sea of level-of-detail patches around the viewer (VR Ocean, section 5.1).
 struct QuadtreeOptions {
-    // generated from schema/quadtree.toml: members to cull_scale
+    // generated from schema/quadtree.toml: members
     double size_m = 2048;  ///< S, the side of the square; [256, 8192]
     /// V, steps along a patch's side, with V + 1 vertices; an even number from 2 to 128.
     int vertices = 64;
@@ -21,10 +21,8 @@ struct QuadtreeOptions {
     double lod_scale = 2.2;
     /// Beta: scales the boxes for culling, for applications that add displacement; [1, 4].
     double cull_scale = 1;
-    // end of generated
     /// Maximum number of instances in one draw call; at least 1. Unset: no limit.
     std::optional<int> batch_limit = {};
-    // generated from schema/quadtree.toml: members after cull_scale
     /// Side of the smallest patches, about, for eyes near the water; [16, 64]. The paper has 64 m
     /// (equation 56), whose vertices are 1 m apart if V is 64.
     double finest_patch_m = 64;

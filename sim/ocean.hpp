@@ -36,51 +36,52 @@ namespace pelagic {
 /// How an ocean computes its frames, and what they contain. Cascades are bit-identical whatever the
 /// options, except that `foam` changes their foam and `inputs` adds waves.
 struct OceanOptions {
-    std::shared_ptr<Executor> executor = {};  ///< null: oneTBB with its default number of threads
-    std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the widest of this CPU
-    /// ChromeTrace or the application's profiler; null: tracing is disabled and no clock is read.
+    // generated from schema/ocean.toml: members
+    /// Executor of the jobs. Null: oneTBB with its default number of threads, else a pool.
+    std::shared_ptr<Executor> executor = {};
+    /// Instruction set: sse4.2, avx2, avx512 or neon. By default that of the environment variable
+    /// PELAGIC_ISA, else the widest of the CPU. Results are bit-identical.
+    std::optional<Isa> isa = {};
+    /// ChromeTrace or the application's profiler. Null: tracing is disabled and no clock is read.
     std::shared_ptr<TraceSink> trace = {};
-    /// Enables queries (surface_query.hpp); N^2 / 8 bytes a frame.
+    /// Enables queries of points and rays. N^2 / 8 bytes for each cascade of a frame.
     bool queries = false;
-    /// Adds velocities to frames; 12 N^2 bytes a frame and about twice as many transforms.
+    /// Adds velocities to frames and queries. 12 N^2 bytes for each cascade of a frame, and about
+    /// twice as many transforms.
     bool velocities = false;
-    /// Whether each cascade has its own normals (Cascade::gradient_rgba8). None: those of a sea
-    /// with `cascades` 1 have them, and those of an ocean whose slopes are off.
+    /// Gradients of each cascade: normals, Jacobian and smoothness. By default a sea with cascades
+    /// 1 has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off.
     std::optional<bool> gradients = {};
-    /// Whether each cascade has slopes (slope_sum.hpp), which add over cascades. None: all have
-    /// them but those of a sea with `cascades` 1 that has gradients and no foam. Foam needs
-    /// slopes, and one of both maps must be on.
+    /// Slopes and moments of each cascade, which add over cascades. By default all oceans have them
+    /// but those of a sea with cascades 1 that have gradients and no foam. Foam needs them.
     std::optional<bool> slopes = {};
-    /// Enables foam: foam of breaking waves drifts and fades over 2.8 seconds (foam/snapshots.hpp).
-    /// 49 N^2 bytes a cascade.
-    ///
-    /// A frame with a tick (five a second) takes about twice as long. A jump in time computes 16
-    /// ticks, which take as long as ten to twenty frames.
+    /// Enables foam of breaking waves, which drifts and fades over 2.8 seconds. A frame with a tick
+    /// (five a second) takes about twice as long. A jump in time computes 16 ticks, which take as
+    /// long as ten to twenty frames. 49 N^2 bytes for each cascade.
     bool foam = false;
-    /// Adds dynamic waves (dynamic_waves.hpp): frames have Frame::dynamic_waves, and queries
-    /// include them. With 256 texels a tick takes about three quarters of a frame of one cascade of
-    /// 256, at 60 ticks a second. 18 N^2 bytes for frames and 29 N^2 for ticks.
+    /// The grid of dynamic waves, which are added to the cascades and queries. With 256 texels a
+    /// tick, of 60 a second, takes about three quarters of a frame of one cascade of 256. By
+    /// default none.
     std::optional<DynamicWavesOptions> dynamic_waves = {};
-    /// Adds a sea floor that refracts waves (shore.hpp): frames have Frame::shore, and queries
-    /// include it. The sea must have several cascades and cannot change. Construction takes about a
-    /// second of one core longer, and 290 bytes for each of the shore's texels.
+    /// A sea floor that refracts waves. The sea needs 2 to 4 cascades and cannot change.
+    /// Construction takes about a second of one core longer, and 290 bytes for each of the shore's
+    /// texels. By default none.
     std::optional<ShoreOptions> shore = {};
-    /// Adds spray (spray.hpp): frames have Frame::droplets. 3.8 MB.
-    ///
-    /// A frame with a tick (eleven a second, of which every second is a tick of foam too) computes
-    /// the displacement once more. A jump in time computes 19 ticks, which take as long as ten to
-    /// twenty frames.
+    /// Droplets of breaking crests and emitters. A frame with a tick (eleven a second, of which
+    /// every second is a tick of foam too) computes the displacement once more. A jump in time
+    /// computes 19 ticks, which take as long as ten to twenty frames. 3.8 MB. By default none.
     std::optional<SprayOptions> spray = {};
-    /// Wave inputs, added to the waves of the wind in this order (wave_input.hpp). They change
-    /// hash_of(). An ocean without inputs has no additional jobs or branches in kernels.
+    /// Wave inputs, which are added to the waves of the wind in this order. They change the hash.
+    /// None may belong to another ocean. By default none.
     std::vector<std::shared_ptr<WaveInput>> inputs = {};
-    /// Keeps displacement as planes of floats (Cascade::dx, height, dz). Without them, frames have
-    /// textures and bounds only. That moves fewer bytes and takes about 12 N^2 bytes less memory
-    /// per cascade; the textures are bit-identical. Queries, velocities, dynamic waves, a shore,
-    /// spray and wave inputs need planes.
+    /// Keeps displacement as planes of floats. Without them frames have textures and bounds only.
+    /// That moves fewer bytes and takes about 12 N^2 bytes less for each cascade; the textures are
+    /// bit-identical. Queries, velocities, dynamic waves, a shore, spray and wave inputs need
+    /// planes.
     bool planes = true;
-    /// Allocator of frames and spectra, all but some 100 KB of an ocean; none: operator new.
+    /// Allocator of frames and spectra, all but some 100 KB of an ocean. None: operator new.
     Allocator memory = {};
+    // end of generated
 };
 
 /// An ocean, which computes frames of a sea or a forecast.

@@ -15,17 +15,15 @@ namespace pelagic {
 struct ShoreOptions {
     static constexpr int max_samples_per_side = 4096;
 
-    // generated from schema/shore.toml: members to rows
+    // generated from schema/shore.toml: members
     int columns = 0;  ///< samples of the floor along x; 2 to 4096
     int rows = 0;     ///< samples of the floor along z; 2 to 4096
-    // end of generated
-    /// Heights of the floor above the rest level, metres, [-11000, 9000]. Sample (i, j) is
-    /// heights_m[j * columns + i] and has the position x = corner_x_m + i metres_per_sample, z alike.
-    ///
-    /// The shore is the rectangle of the samples. Beyond it the floor continues as at its nearest
-    /// edge: dry ground stays dry, and the sea is open where it is deep enough for its waves.
+    /// Heights of the floor above the rest level, row by row; [-11000, 9000]. Sample (i, j) is
+    /// heights_m[j * columns + i] and has the position x = corner_x_m + i metres_per_sample, z
+    /// alike. The shore is the rectangle of the samples. Beyond it the floor continues as at its
+    /// nearest edge: dry ground stays dry, and the sea is open where it is deep enough for its
+    /// waves.
     std::vector<float> heights_m = {};
-    // generated from schema/shore.toml: members after rows
     double corner_x_m = 0, corner_z_m = 0;  ///< position of the first sample; [-1e8, 1e8]
     double metres_per_sample = 1;           ///< distance of neighbouring samples; [0.001, 10000]
     /// Texels along the longer side of the shore; 64, 128, 256, 512 or 1024.

@@ -143,21 +143,21 @@ class pelagic_ocean_options(ctypes.Structure):
         ("struct_size", c_uint32),
         ("queries", c_int32),
         ("velocities", c_int32),
+        ("gradients", c_int32),
+        ("slopes", c_int32),
         ("foam", c_int32),
         ("textures_only", c_int32),
-        ("slopes", c_int32),
-        ("gradients", c_int32),
         ("executor", c_void_p),
         ("isa", c_char_p),
-        ("query_tolerance_m", c_double),
-        ("allocate", c_void_p),
-        ("release", c_void_p),
-        ("memory_user", c_void_p),
         ("dynamic_waves", c_void_p),
         ("shore", c_void_p),
         ("spray", c_void_p),
         ("input_count", c_size_t),
         ("inputs", c_void_p),
+        ("allocate", c_void_p),
+        ("release", c_void_p),
+        ("memory_user", c_void_p),
+        ("query_tolerance_m", c_double),
     ]
 
 
@@ -422,12 +422,12 @@ class pelagic_shore_options(ctypes.Structure):
         ("columns", c_int32),
         ("rows", c_int32),
         ("resolution", c_int32),
+        ("heights_m", c_void_p),
         ("corner_x_m", c_double),
         ("corner_z_m", c_double),
         ("metres_per_sample", c_double),
         ("fade_m", c_double),
         ("swash_m", c_double),
-        ("heights_m", c_void_p),
     ]
 
 
@@ -572,6 +572,9 @@ class pelagic_hull_options(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
         ("mass_kg", c_double),
+        ("centre_of_mass_m", c_void_p),
+        ("inertia_kgm2", c_void_p),
+        ("added_mass", c_void_p),
         ("heave_damping", c_double),
         ("roll_damping", c_double),
         ("pressure_coefficient", c_double),
@@ -583,9 +586,6 @@ class pelagic_hull_options(ctypes.Structure):
         ("skeg_m2", c_double),
         ("skeg_x_m", c_double),
         ("skeg_y_m", c_double),
-        ("centre_of_mass_m", c_void_p),
-        ("inertia_kgm2", c_void_p),
-        ("added_mass", c_void_p),
     ]
 
 

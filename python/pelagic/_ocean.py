@@ -60,40 +60,61 @@ class Ocean:
     def __init__(
         self,
         sea: Sea,
+        *,
+        # generated from schema/ocean.toml: python-parameters
         queries: bool = True,
         velocities: bool = False,
-        foam: bool = False,
         gradients: Optional[bool] = None,
         slopes: Optional[bool] = None,
+        foam: bool = False,
+        planes: bool = True,
         threads: int = 0,
         isa: Optional[str] = None,
         largest_peak_m: float = 0.0,
         dynamic_waves: Optional[DynamicWavesOptions] = None,
         shore: Optional[ShoreOptions] = None,
-        inputs: Iterable[WaveInput] = (),
-        planes: bool = True,
         spray: Optional[SprayOptions] = None,
+        inputs: Iterable[WaveInput] = (),
+        # end of generated
     ) -> None:
         """Creates an ocean.
 
-        queries     allow query() and rays() on frames
-        velocities  compute velocities; about twice the work
-        foam        compute foam, which depends on the last 2.8 seconds
-        gradients   normals of each cascade; None: with cascades=1, and without slopes
-        slopes      slopes of each cascade; None: with 2 or more cascades, with foam, and without
-                    gradients. Foam needs slopes. Slopes and gradients cannot both be False
-        threads     maximum threads of a frame, including the calling thread; 0: one per core
-        isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest.
-                    Results are bit-identical
-        largest_peak_m  longest peak wavelength that the cascades support, for a sea of a later
-                    transition: its report().peak_wavelength_m. 0: that of the first sea. A warning
-                    names the shortest wave that is left if it is twice as long as without
-        dynamic_waves  the grid of wakes, ripples and splashes; None: no dynamic waves
-        shore       a sea floor that affects waves; None: no shore
-        inputs      waves that are added to those of the wind, in this order; they change the hash
-        planes      displacement as floats. False leaves only textures, for applications that only
-                    draw; needs queries=False
-        spray       droplets of breaking crests and emitters; None: no spray
+        .. generated from schema/ocean.toml: python-arguments
+        queries: enables queries of points and rays. N^2 / 8 bytes for each cascade of a frame.
+        velocities: adds velocities to frames and queries. 12 N^2 bytes for each cascade of a
+            frame, and about twice as many transforms.
+        gradients: gradients of each cascade: normals, Jacobian and smoothness. By default a sea
+            with cascades 1 has them, and an ocean whose slopes are off. Slopes and gradients
+            cannot both be off.
+        slopes: slopes and moments of each cascade, which add over cascades. By default all
+            oceans have them but those of a sea with cascades 1 that have gradients and no foam.
+            Foam needs them.
+        foam: enables foam of breaking waves, which drifts and fades over 2.8 seconds. A frame
+            with a tick (five a second) takes about twice as long. A jump in time computes 16
+            ticks, which take as long as ten to twenty frames. 49 N^2 bytes for each cascade.
+        planes: keeps displacement as planes of floats. Without them frames have textures and
+            bounds only. That moves fewer bytes and takes about 12 N^2 bytes less for each
+            cascade; the textures are bit-identical. Queries, velocities, dynamic waves, a
+            shore, spray and wave inputs need planes.
+        threads: maximum threads of a frame, including the calling thread. 0: one per core.
+        isa: instruction set: sse4.2, avx2, avx512 or neon. By default that of the environment
+            variable PELAGIC_ISA, else the widest of the CPU. Results are bit-identical.
+        largest_peak_m: longest peak wavelength that the cascades support, for a sea of a later
+            transition: its report().peak_wavelength_m. 0: that of the first sea. A warning
+            names the shortest wave that is left if it is twice as long as without.
+        dynamic_waves: the grid of dynamic waves, which are added to the cascades and queries.
+            With 256 texels a tick, of 60 a second, takes about three quarters of a frame of one
+            cascade of 256. By default none.
+        shore: a sea floor that refracts waves. The sea needs 2 to 4 cascades and cannot change.
+            Construction takes about a second of one core longer, and 290 bytes for each of the
+            shore's texels. By default none.
+        spray: droplets of breaking crests and emitters. A frame with a tick (eleven a second,
+            of which every second is a tick of foam too) computes the displacement once more. A
+            jump in time computes 19 ticks, which take as long as ten to twenty frames. 3.8 MB.
+            By default none.
+        inputs: wave inputs, which are added to the waves of the wind in this order. They change
+            the hash. None may belong to another ocean. By default none.
+        .. end of generated
         """
         self._turn = threading.Lock()  # held while the ocean works
         self._state = threading.Lock()  # of all members below but _views and _left

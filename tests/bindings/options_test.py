@@ -135,6 +135,8 @@ class Schemas(unittest.TestCase):
             (r"options.py: sea.toml: systems has no max\n", lambda text: text.replace("max = 8\n", "")),
             (r"options.py: sea.toml: systems is a list of wind.toml, expected a file of schema/ without lists\n", lambda text: text.replace("wave_system.toml", "wind.toml")),
             (r"options.py: sea.toml: system is a list, expected a name that ends in s\n", lambda text: text.replace('"systems"', '"system"')),
+            (r"options.py: sea.toml: seed has types of the unknown language Rust, accepted: C, C\+\+, Python, TypeScript\n",
+             lambda text: text.replace('name = "seed"\n', 'name = "seed"\ntypes = { Rust = "u32" }\n')),
             (r"options.py: sea.toml: .*line \d+.*\n", lambda text: "option]\n" + text),
         ):
             self.assertRegex(self.refused(change), rf"\A{expected}\Z")

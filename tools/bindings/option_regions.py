@@ -23,7 +23,7 @@ def camel_case(name):
 def description(option, also=None, values=""):
     """The sentences about an option: what it is; its range. What its default stands for, and more."""
     text = named(option.text, str) + values
-    if option.type not in ("enum", "bool", "uint32"):
+    if option.type not in ("enum", "bool", "uint32", "own") or option.shown:
         text += "; " + named(option.in_descriptions(), str)
     text += "."
     if option.derived and option.derivation:
@@ -49,7 +49,7 @@ def cpp_number(option, value):
 
 
 def cpp_default(option):
-    if option.records:
+    if option.records or option.own_type("C++"):
         return "{}"
     if option.enum:
         return f"{option.enum.name.split('::')[-1]}::{option.default.replace('-', '_')}"
@@ -57,6 +57,8 @@ def cpp_default(option):
 
 
 def cpp_type(option):
+    if option.own_type("C++"):
+        return option.own_type("C++")
     if option.records:
         return f"std::vector<{option.records.struct}>"
     return option.enum.name.split("::")[-1] if option.enum else CPP_TYPES[option.type]
@@ -116,7 +118,7 @@ def cpp_table(schema):
     """The rows of a table of NumericField."""
     lines = []
     for option in schema.options:
-        if option.type in ("enum", "bool", "records"):
+        if option.type in ("enum", "bool", "records", "own"):
             continue
         is_above = option.type != "uint32" and option.limits() and option.limits()[2]
         restriction = RESTRICTIONS.get(option.must_be, "Restriction::above_min" if is_above else "")
@@ -214,14 +216,14 @@ def c_default_of(option):
 
 
 def c_type(option):
-    return option.records.c if option.records else C_TYPES[option.type]
+    return option.own_type("C") or (option.records.c if option.records else C_TYPES[option.type])
 
 
 def c_options(schema):
     """The options of the C struct, those of 4 bytes first, so that the struct has no holes."""
     options = [option for option in schema.options if option.is_in("C")]
     options += [option.count() for option in options if option.records]
-    return sorted(options, key=lambda option: option.type in ("double", "records"))
+    return sorted(options, key=lambda option: option.type in ("double", "records", "own"))
 
 
 def c_fields(schema):
@@ -235,7 +237,11 @@ def c_fields(schema):
 
 
 def c_description(option):
+    if "C" in (option.texts or {}):
+        return " ".join(option.texts["C"].split())
     text = description(option, also=c_default_of(option) if option.derived_value is None else None)
+    if option.type == "bool":
+        return f"Nonzero {text}"
     return f"{option.enum.c}...; {text}" if option.enum else text
 
 
@@ -262,7 +268,7 @@ def c_make(schema):
     statements = []
     for option in c_options(schema):
         value = option.enum.c_values()[[v for v, _ in option.enum.values].index(option.default)] if option.enum else c_default_of(option)
-        if str(value) != "0" and (not option.enum or option.enum.c_values()[0] != value):
+        if str(value) not in ("0", "False") and (not option.enum or option.enum.c_values()[0] != value):
             statements.append(f"{name}.{option.name}\0=\0{value};")
     head = f"static inline {schema.c} {schema.c}_make(void) {{"
     if not statements and not schema.is_record:
@@ -290,16 +296,19 @@ def cpp_reader(schema):
 
 
 def c_reads(schema):
-    """Statements that read a C struct `from` into a C++ one `to`; `prefix` begins names in messages of enumerations."""
+    """Statements that read a C struct `from` into a C++ one `to`; `prefix` begins names in messages of enumerations. Options
+    with types of their own are converted by hand."""
     lines = []
     for option in schema.options:
-        if not option.is_in("C"):
+        if not option.is_in("C") or not option.is_in("C++") or option.types:
             continue
         member = f"from.{option.name}"
         if option.records:
             member = f'records_of({member}, from.{option.count().name}, prefix, "{option.name}", {cpp_reader(option.records)})'
         elif option.enum:
             member = f'enum_of<{option.enum.name}>({member}, prefix, "{option.name}", "one of {option.enum.c}...")'
+        elif option.type == "bool":
+            member += " != 0"
         elif option.c_default is not None:
             member = f"{member} == {option.c_default} ? {option.default} : {member}"
         lines.append(f"to.{option.name} = {member};")
@@ -330,10 +339,16 @@ PYTHON_TYPES = {"double": "float", "float": "float", "int": "int", "uint32": "in
 
 
 def python_type(option):
+    if option.own_type("Python"):
+        return option.own_type("Python")
     return f"tuple[{option.records.struct}, ...]" if option.records else PYTHON_TYPES[option.type]
 
 
 def python_default(option):
+    if option.own_default("Python"):
+        return option.own_default("Python")
+    if option.own_type("Python"):
+        return "None"
     if option.records:
         return "()"
     if option.enum:
@@ -355,6 +370,24 @@ def python_fields(schema):
     return lines
 
 
+def python_options(schema):
+    """The options of a function, switches first."""
+    return sorted((option for option in schema.options if option.is_in("Python")), key=lambda option: option.type == "own")
+
+
+def python_parameters(schema):
+    """The parameters of a function."""
+    return [f"{option.name}: {python_type(option)} = {python_default(option)}," for option in python_options(schema)]
+
+
+def python_arguments(schema):
+    """The parameters in a docstring."""
+    lines = []
+    for option in python_options(schema):
+        lines += wrapped(f"{option.name}: {description(option)}", "", "    ", COMMENT_WIDTH - 8)
+    return lines
+
+
 def python_names(schema):
     """Entries of a dictionary: the option and the prefix of its constants in C."""
     return [f'"{option.name}": "{option.enum.c}",' for option in schema.options if option.enum]
@@ -366,6 +399,10 @@ def javascript_number(value):
 
 def typescript_text(option):
     """What it is, unit: range. More. Default."""
+    if option.texts and "TypeScript" in option.texts:
+        return " ".join(option.texts["TypeScript"].split())
+    if option.own_type("TypeScript"):
+        return " ".join(sentence(named(text, camel_case)) for text in (option.text, option.more) if text)
     text = sentence(named(option.text, camel_case)).removesuffix(".")
     if option.enum:
         text += "." + "".join(f' "{name}": {named(about, camel_case).rstrip(".")}.' for name, about in option.enum.values if about)
@@ -393,10 +430,15 @@ def typescript_fields(schema):
         text = typescript_text(option)
         comment = f"/** {text} */"
         lines += [comment] if len(comment) <= COMMENT_WIDTH else ["/**"] + wrapped(text, " * ") + [" */"]
-        words = " | ".join(f"'{name}'" for name, _ in option.enum.values) if option.enum else ""
+        words = " | ".join(f"'{name}'" for name, _ in option.enum.values) if option.enum and not option.types else option.own_type("TypeScript")
         type_ = f"{option.records.struct}[]" if option.records else "boolean" if option.type == "bool" else "number"
         lines.append(f"{camel_case(option.name)}{'' if option.required else '?'}: {words or type_};")
     return lines
+
+
+def typescript_names(schema):
+    """Elements of a list of names."""
+    return [f'"{camel_case(option.name)}",' for option in schema.options if option.is_in("TypeScript")]
 
 
 def word_options(schema):
@@ -459,19 +501,38 @@ def blender_settings(schema):
     return [f'Setting("{blender_name(option)}", "{option.name}", "{option.blender["panel"]}", "{option.needs}"),' for option in blender_options(schema)]
 
 
+def page_values(option):
+    """The columns of a page's table: what an option accepts, and its default."""
+    if option.types:
+        return option.shown, "required" if option.required else "none" if option.type == "own" else "derived"
+    if option.enum:
+        return ", ".join(f"`{name}`" for name, _ in option.enum.values), f"`{option.default}`"
+    if option.type == "bool":
+        return "", "on" if option.default else "off"
+    is_derived = option.derived and option.derived_value is None
+    number = str(option.default) if len(str(option.default)) < 10 else f"{option.default:.4g}"
+    default = "none" if option.records else "required" if option.required else "derived" if is_derived else number
+    return named(option.in_descriptions(), str), default
+
+
+def page_meaning(option):
+    text = named(option.text, str)
+    if option.derivation:
+        of_c = "" if option.c_default is None else f" (C: {option.c_default})"
+        text += f"; {option.also()}{of_c}: {named(option.derivation, str)}"
+    if re.match(r"\d+: ", option.more):
+        text += "; " + named(option.more.split(". ")[0].rstrip("."), str)
+    return text
+
+
 def page_table(schema):
-    """A page's table."""
-    lines = ["| member | range | default | meaning |", "|---|---|---|---|"]
-    for option in schema.options:
-        if option.enum:
-            values = ", ".join(f"`{name}`" for name, _ in option.enum.values)
-            lines.append(f"| `{option.name}` | {values} | `{option.default}` | {named(option.text, str)} |")
-            continue
-        is_derived = option.derived and option.derived_value is None
-        default = "none" if option.records else "derived" if is_derived else str(option.default) if len(str(option.default)) < 10 else f"{option.default:.4g}"
-        meaning = named(option.text, str) + (f"; {option.also()}: {named(option.derivation, str)}" if option.derivation else "")
-        lines.append(f"| `{option.name}` | {named(option.in_descriptions(), str)} | {default} | {meaning} |")
-    return lines
+    """A page's table. Without any range it lacks that column."""
+    rows = [("member", "range", "default", "meaning")]
+    rows += [(f"`{option.name}`", *page_values(option), page_meaning(option)) for option in schema.options if option.is_in("C++")]
+    if not any(row[1] for row in rows[1:]):
+        rows = [(row[0], *row[2:]) for row in rows]
+    lines = [f"| {' | '.join(row)} |" for row in rows]
+    return [lines[0], "|---" * len(rows[0]) + "|", *lines[1:]]
 
 
 def number_table(schema):
@@ -481,6 +542,12 @@ def number_table(schema):
         for option in schema.options if not option.enum and not option.records and option.unit != "rad"]
 
 
-RENDERERS = {"members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags, "checks": checks, "record-keys": record_keys, "c-members": c_fields,
-             "c-enumerations": c_enums, "c-make": c_make, "c-struct": c_struct, "c-checks": c_checks, "c-reads": c_reads, "c-writes": c_writes,
-             "python-fields": python_fields, "python-names": python_names, "properties": typescript_fields, "word-options": word_options, "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table, "numbers-of-page": number_table}
+RENDERERS = {
+    "members": cpp_fields, "table": cpp_table, "enumerations": cpp_enums, "flags": flags, "named-flags": named_flags,
+    "checks": checks, "record-keys": record_keys, "c-members": c_fields, "c-enumerations": c_enums, "c-make": c_make, "c-struct": c_struct,
+    "c-checks": c_checks, "c-reads": c_reads, "c-writes": c_writes, "python-fields": python_fields,
+    "python-names": python_names, "python-parameters": python_parameters, "python-arguments": python_arguments,
+    "properties": typescript_fields, "property-names": typescript_names, "word-options": word_options,
+    "blender-properties": blender_properties, "blender-settings": blender_settings, "table-of-page": page_table,
+    "numbers-of-page": number_table,
+}

@@ -5,9 +5,8 @@ usage: options.py [FOLDER]            compares the regions in the tree with what
        options.py --write [FOLDER]    writes them
 
 A region stands between a line with "generated from schema/FILE.toml: KIND" and a line with "end of generated" in a file
-of any language. RENDERERS lists the kinds. "KIND to NAME" and "KIND after NAME" are the options up to one and after it. FOLDER is the tree, by default the one of this program.
+of any language. RENDERERS lists the kinds. FOLDER is the tree, by default the one of this program.
 """
-import dataclasses
 import difflib
 import pathlib
 import re
@@ -18,8 +17,7 @@ from schema import SchemaError, read_schemas
 
 SUFFIXES = {".hpp", ".cpp", ".h", ".py", ".ts", ".md", ".cs"}
 FOLDERS = ("analytic", "capi", "contrib", "docs", "examples", "floating", "gl", "python", "quadtree", "sim", "tools", "web")
-REGION = re.compile(r"(?P<head>^(?P<indent>[ \t]*)[^\n]*generated from schema/(?P<file>\w+\.toml): (?P<kind>[\w-]+)"
-                    r"(?: (?P<part>to|after) (?P<name>\w+))?[^\n]*\n)"
+REGION = re.compile(r"(?P<head>^(?P<indent>[ \t]*)[^\n]*generated from schema/(?P<file>\w+\.toml): (?P<kind>[\w-]+)[^\n]*\n)"
                     r"(?P<body>.*?)(?P<tail>^[^\n]*end of generated)", re.S | re.M)
 
 
@@ -28,16 +26,6 @@ def files_in(tree):
         for file in sorted((tree / folder).rglob("*")):
             if file.suffix in SUFFIXES and file.parent != tree / "tools/bindings":
                 yield file
-
-
-def part_of(schema, part, name):
-    if not part:
-        return schema
-    names = [option.name for option in schema.options]
-    if name not in names:
-        raise SchemaError(f"{schema.file} has no option {name}, which a region names")
-    at = names.index(name) + 1
-    return dataclasses.replace(schema, options=schema.options[:at] if part == "to" else schema.options[at:])
 
 
 def generated(tree, schemas):
@@ -53,8 +41,7 @@ def generated(tree, schemas):
                 raise SchemaError(f"{name} has a region of {match['file']}, which is not in schema/")
             if match["kind"] not in option_regions.RENDERERS:
                 raise SchemaError(f"{name} has a region {match['kind']}, accepted: {', '.join(option_regions.RENDERERS)}")
-            schema = part_of(schemas[match["file"]], match["part"], match["name"])
-            lines = option_regions.RENDERERS[match["kind"]](schema)
+            lines = option_regions.RENDERERS[match["kind"]](schemas[match["file"]])
             body = "".join((match["indent"] + line).rstrip() + "\n" for line in lines)
             return match["head"] + body + match["tail"]
 

@@ -10,10 +10,12 @@ UNITS = {"m": ("_m", "metres"), "s": ("_s", "seconds"), "rad": ("_rad", "radians
          "kg": ("_kg", "kilograms"), "kg/m3": ("_kgpm3", "kilograms per cubic metre"), "1/s": ("_per_s", "per second"),
          "1/(m2 s)": ("_per_m2_s", "per square metre and second")}
 TYPES = {"double", "float", "int", "uint32", "bool"}
+LANGUAGES = {"C++", "C", "Python", "TypeScript"}
 CONDITIONS = {"", "a power of two", "an even number"}
 OPTION_KEYS = {"name", "unit", "type", "enum", "default", "c_default", "range", "accepted", "shown", "must_be", "derived",
                "derived_value", "derivation", "text", "more", "only", "needs", "group", "flag_help",
-               "flag_default", "flag_accepted", "blender", "required", "records", "max", "key"}
+               "flag_default", "flag_accepted", "blender", "required", "records", "max", "key",
+               "types", "defaults", "texts"}
 SCHEMA_KEYS = {"struct", "c", "enum", "option"}
 
 
@@ -73,10 +75,20 @@ class Option:
     required: bool = False      # the default is not an accepted value
     records: "Schema" = None    # of a list: the schema of its elements, whose largest number is `max`
     max: int = 0
+    types: dict = None          # types of languages that have another; without a type or an enum, the only languages that have it
+    defaults: dict = None       # defaults of languages that have another
+    texts: dict = None          # descriptions of languages that have another
     key: str = ""               # the name in texts of records, where it is not the member's without its unit
 
     def is_in(self, language):
-        return self.only is None or language in self.only
+        return language in self.types if self.type == "own" else self.only is None or language in self.only
+
+    def own_type(self, language):
+        """The type of a language that has another than the schema's, or None."""
+        return (self.types or {}).get(language)
+
+    def own_default(self, language):
+        return (self.defaults or {}).get(language)
 
     @property
     def element(self):
@@ -149,11 +161,18 @@ def read_option(file, entry, enums):
     where = f"{file}: {name}"
     if unknown := entry.keys() - OPTION_KEYS:
         raise SchemaError(f"{where} has the unknown key {min(unknown)}, accepted: {', '.join(sorted(OPTION_KEYS))}")
-    for needed in ("name", "max" if "records" in entry else "default", "text"):
+    for key in ("only", "types", "defaults", "texts"):
+        if unknown := set(entry.get(key, ())) - LANGUAGES:
+            raise SchemaError(f"{where} has {key} of the unknown language {min(unknown)}, accepted: {', '.join(sorted(LANGUAGES))}")
+    is_own = "types" in entry and not {"type", "enum"} & entry.keys()
+    for needed in ("name", *(["max"] if "records" in entry else [] if is_own else ["default"]), "text"):
         if needed not in entry:
             raise SchemaError(f"{where} has no {needed}")
     option = Option(**{**entry, "text": " ".join(entry["text"].split()), "more": " ".join(entry.get("more", "").split()),
                        "derivation": " ".join(entry.get("derivation", "").split())})
+    if is_own:
+        option.type = "own"
+        return option
     if option.unit and option.unit not in UNITS:
         raise SchemaError(f"{where} has the unknown unit {option.unit}, accepted: {', '.join(UNITS)}")
     if option.unit and not name.endswith(UNITS[option.unit][0]):

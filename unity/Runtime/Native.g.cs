@@ -735,42 +735,43 @@ namespace Pelagic
         /// </summary>
         public bool Queries;
         /// <summary>
-        /// True enables velocities; 12 N^2 bytes for each cascade of a frame, and about twice as many transforms.
+        /// True adds velocities to frames and queries. 12 N^2 bytes for each cascade of a frame, and about twice as
+        /// many transforms.
         /// </summary>
         public bool Velocities;
         /// <summary>
-        /// True enables foam: foam of breaking waves drifts and fades over 2.8 seconds. A frame with a tick (five a
-        /// second) then takes about twice as long. A jump in time computes 16 ticks, which take as long as ten to twenty
+        /// Textures; gradients of each cascade: normals, Jacobian and smoothness. By default a sea with
+        /// cascades 1 has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off.
+        /// </summary>
+        public Textures Gradients;
+        /// <summary>
+        /// Textures; slopes and moments of each cascade, which add over cascades. By default all oceans
+        /// have them but those of a sea with cascades 1 that have gradients and no foam. Foam needs them.
+        /// </summary>
+        public Textures Slopes;
+        /// <summary>
+        /// True enables foam of breaking waves, which drifts and fades over 2.8 seconds. A frame with a tick (five
+        /// a second) takes about twice as long. A jump in time computes 16 ticks, which take as long as ten to twenty
         /// frames. 49 N^2 bytes for each cascade.
         /// </summary>
         public bool Foam;
         /// <summary>
-        /// True: frames have textures and bounds, but no planes. This moves fewer bytes and takes about 12 N^2 bytes
-        /// less for each cascade; the textures are bit-identical. Cannot be combined with queries, velocities, dynamic
-        /// waves, a shore, spray or wave inputs.
+        /// True leaves textures and bounds of frames, and no planes. This moves fewer bytes and takes about 12 N^2
+        /// bytes less for each cascade; the textures are bit-identical. Cannot be combined with queries, velocities,
+        /// dynamic waves, a shore, spray or wave inputs.
         /// </summary>
         public bool TexturesOnly;
-        /// <summary>
-        /// Slopes and moments of each cascade, Textures They are on by default if the sea has 2 or more
-        /// cascades, with foam, and without gradients. Foam needs them.
-        /// </summary>
-        public Textures Slopes;
-        /// <summary>
-        /// Gradients of each cascade, Textures They are on by default if the sea has 1 cascade, and without
-        /// slopes. Slopes and gradients cannot both be off.
-        /// </summary>
-        public Textures Gradients;
-        /// <summary>largest error of a converged point; 0: 0.001, else [1e-6, 1000]</summary>
+        /// <summary>largest error of a converged point; [1e-6, 1000]. 0: 0.001</summary>
         public double QueryToleranceM;
 
         private void CopyTo(ref Native.pelagic_ocean_options native)
         {
             native.queries = Queries ? 1 : 0;
             native.velocities = Velocities ? 1 : 0;
+            native.gradients = Gradients;
+            native.slopes = Slopes;
             native.foam = Foam ? 1 : 0;
             native.textures_only = TexturesOnly ? 1 : 0;
-            native.slopes = Slopes;
-            native.gradients = Gradients;
             native.query_tolerance_m = QueryToleranceM;
         }
 
@@ -778,10 +779,10 @@ namespace Pelagic
         {
             Queries = native.queries != 0;
             Velocities = native.velocities != 0;
+            Gradients = native.gradients;
+            Slopes = native.slopes;
             Foam = native.foam != 0;
             TexturesOnly = native.textures_only != 0;
-            Slopes = native.slopes;
-            Gradients = native.gradients;
             QueryToleranceM = native.query_tolerance_m;
         }
     }
@@ -940,21 +941,21 @@ namespace Pelagic
             internal uint struct_size;
             internal int queries;
             internal int velocities;
+            internal Textures gradients;
+            internal Textures slopes;
             internal int foam;
             internal int textures_only;
-            internal Textures slopes;
-            internal Textures gradients;
             internal IntPtr executor;
             internal byte* isa;
-            internal double query_tolerance_m;
-            internal IntPtr allocate;
-            internal IntPtr release;
-            internal void* memory_user;
             internal DynamicWavesOptions* dynamic_waves;
             internal pelagic_shore_options* shore;
             internal SprayOptions* spray;
             internal UIntPtr input_count;
             internal IntPtr* inputs;
+            internal IntPtr allocate;
+            internal IntPtr release;
+            internal void* memory_user;
+            internal double query_tolerance_m;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1141,12 +1142,12 @@ namespace Pelagic
             internal int columns;
             internal int rows;
             internal int resolution;
+            internal float* heights_m;
             internal double corner_x_m;
             internal double corner_z_m;
             internal double metres_per_sample;
             internal double fade_m;
             internal double swash_m;
-            internal float* heights_m;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1258,6 +1259,9 @@ namespace Pelagic
         {
             internal uint struct_size;
             internal double mass_kg;
+            internal double* centre_of_mass_m;
+            internal double* inertia_kgm2;
+            internal double* added_mass;
             internal double heave_damping;
             internal double roll_damping;
             internal double pressure_coefficient;
@@ -1269,9 +1273,6 @@ namespace Pelagic
             internal double skeg_m2;
             internal double skeg_x_m;
             internal double skeg_y_m;
-            internal double* centre_of_mass_m;
-            internal double* inertia_kgm2;
-            internal double* added_mass;
         }
 
         [StructLayout(LayoutKind.Sequential)]

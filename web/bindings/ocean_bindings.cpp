@@ -27,8 +27,20 @@ namespace {
 using emscripten::typed_memory_view;
 using emscripten::val;
 
-constexpr std::array<std::string_view, 10> ocean_option_names = {
-    "threads", "queries", "velocities", "gradients", "slopes", "foam", "dynamicWaves", "shore", "spray", "inputs"};
+constexpr std::string_view ocean_option_names[] = {
+    // generated from schema/ocean.toml: property-names
+    "threads",
+    "queries",
+    "velocities",
+    "gradients",
+    "slopes",
+    "foam",
+    "dynamicWaves",
+    "shore",
+    "spray",
+    "inputs",
+    // end of generated
+};
 
 bool is_finite(double number) { return std::isfinite(number); }
 
