@@ -375,9 +375,9 @@ typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t a
 enum { PELAGIC_TEXTURES_DEFAULT = 0, PELAGIC_TEXTURES_ON = 1, PELAGIC_TEXTURES_OFF = 2 };
 /* end of generated */
 
+/* generated from schema/ocean.toml: c-struct */
 typedef struct pelagic_ocean_options {
     uint32_t struct_size;
-    /* generated from schema/ocean.toml: c-members */
     /* Nonzero enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a frame. */
     int32_t queries;
     /* Nonzero adds velocities to frames and queries. 12 N^2 bytes for each cascade of a frame, and about twice as
@@ -418,9 +418,7 @@ typedef struct pelagic_ocean_options {
     pelagic_release release;  /* frees what `allocate` returned */
     void* memory_user;        /* passed to both; must outlive the ocean */
     double query_tolerance_m; /* largest error of a converged point; [1e-6, 1000]. 0: 0.001 */
-    /* end of generated */
 } pelagic_ocean_options;
-/* generated from schema/ocean.toml: c-make */
 static inline pelagic_ocean_options pelagic_ocean_options_make(void) { PELAGIC_MAKE(pelagic_ocean_options); }
 /* end of generated */
 
