@@ -22,7 +22,7 @@ constexpr const char* functions = R"(
 struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };
 
 AnalyticWater analytic_water(vec2 reference_m, float time_s) {
-    vec3 moved = vec3(0.0);
+    vec3 moved = vec3(0.0, analytic_level, 0.0);
     vec2 slope = vec2(0.0);
     vec3 contraction = vec3(0.0);  // derivatives of the horizontal displacement: xx, xz, zz
     for (int i = 0; i < analytic_waves; ++i) {
@@ -64,7 +64,8 @@ std::string analytic_glsl(const PlaneWaves& sea, const GlslOrigin& origin) {
         turns += comma + ("\n    vec2(" + literal(start) + ", " + literal(wave.frequency_hz) + ")");
     }
     return "const int analytic_waves = " + count + ";\n" +
-           "const float analytic_choppiness = " + literal(sea.choppiness) + ";\n" + "const vec4 analytic_wave[" +
+           "const float analytic_choppiness = " + literal(sea.choppiness) + ";\n" +
+           "const float analytic_level = " + literal(sea.level_m) + ";\n" + "const vec4 analytic_wave[" +
            count + "] = vec4[" + count + "](" + waves + ");\n" + "const vec2 analytic_turn[" + count + "] = vec2[" +
            count + "](" + turns + ");\n" + functions;
 }

@@ -114,6 +114,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
                                   samples.normal_x,      samples.normal_y,       samples.normal_z,
                                   samples.jacobian,      samples.velocity_x_mps, samples.velocity_y_mps,
                                   samples.velocity_z_mps};
+    const auto level = static_cast<float>(waves_.level_m);
     const bool normals = arrays.has_any(3, 7), velocities = arrays.has_any(7, 10);
     for_each_group(points.x, points.z, arrays, kernels_->lanes, [&](const PointGroup<10>& group) {
         float* const* out = group.outputs.data();
@@ -133,6 +134,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
             job.out.jacobian = out[6];
         if (velocities) job.out.velocity_x = out[7], job.out.velocity_y = out[8], job.out.velocity_z = out[9];
         (in_world ? kernels_->gerstner_in_world : kernels_->gerstner_undisplaced)(job);
+        for (std::size_t i = 0; i < group.count; ++i) out[0][i] += level;
     });
 }
 

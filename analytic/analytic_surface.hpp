@@ -4,7 +4,7 @@
 //   const AnalyticSurface water(analytic_preset_named("analytic-moderate")->sea);
 //   water.sample(time_s, {.x = xs, .z = zs}, {.height_m = heights});
 //
-//   phase = k.q - w t + phase,  h = sum A cos(phase),  D = -choppiness sum A k/|k| sin(phase)
+//   phase = k.q - w t + phase,  h = level + sum A cos(phase),  D = -choppiness sum A k/|k| sin(phase)
 //
 // The water with the undisplaced position q is at q + D, with the height h. With choppiness 1 each
 // particle moves in a circle (Gerstner 1802). Slopes, Jacobian and velocity are the derivatives of

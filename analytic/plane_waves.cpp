@@ -63,6 +63,7 @@ std::string check(const PlaneWaves& sea) {
                                      "1 to " + number_text(max_analytic_waves) + " of them");
     if (!(sea.choppiness >= 0 && sea.choppiness <= 1))
         return invalid_value_message("choppiness", sea.choppiness, "[0, 1]");
+    if (!(std::fabs(sea.level_m) <= 100)) return invalid_value_message("level_m", sea.level_m, "[-100, 100]");
     for (std::size_t i = 0; i < sea.waves.size(); ++i) {
         const std::string place = "waves[" + number_text(i) + "].";
         if (const std::string reason = check_fields(sea.waves[i], plane_wave_field_table); !reason.empty())

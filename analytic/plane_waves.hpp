@@ -24,6 +24,7 @@ struct PlaneWave {
 struct PlaneWaves {
     std::vector<PlaneWave> waves;  ///< 1 to 64
     double choppiness = 1;         ///< as AnalyticSea::choppiness
+    double level_m = 0;            ///< added to all heights; [-100, 100]
 };
 
 /// Converts each wave without change, in deep water. \pre check(sea) is empty

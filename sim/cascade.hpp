@@ -99,6 +99,10 @@ struct ContractionBound {
 /// The data of a cascade in one frame, as views of memory that the ocean owns.
 struct Cascade {
     CascadeGrid grid;
+    /// Height in metres that all texels contain, so that the mean at fixed places of the world is 0
+    /// over a loop: displacement moves water towards crests, which would lower that mean. It is
+    /// choppiness times the sum of k coth(k d) a^2 / 2 over the waves of the cascade.
+    float level_m = 0;
     /// Metres, in the world's axes. Without data if OceanOptions::planes is off.
     PlaneView dx, height, dz;
     /// Derivatives of dx, height and dz in time at the fixed reference point, m/s. Without data

@@ -131,6 +131,8 @@ struct SeaReport {
     std::optional<SystemStatistics> wind_sea, swell;  ///< only for a spectrum with a swell
     /// Variance of the horizontal convergence Dx,x + Dz,z, at the sea's choppiness. 0 for a pond.
     double expected_convergence_variance = 0, realised_convergence_variance = 0;
+    /// Sum of Cascade::level_m, by which heights are raised so that the mean level is 0, in metres.
+    double expected_level_m = 0, realised_level_m = 0;
     WaveDirections expected_directions;
     WaveDirections realised_directions;  ///< of this seed's waves
     /// Fetch that has an effect (jonswap), metres; none for other models. Less than

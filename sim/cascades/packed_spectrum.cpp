@@ -68,6 +68,7 @@ LineStatistics& LineStatistics::operator+=(const LineStatistics& other) {
     trace_rate_square += other.trace_rate_square;
     trace_drop_x += other.trace_drop_x;
     trace_drop_z += other.trace_drop_z;
+    level_m += other.level_m;
     stokes_x += other.stokes_x;
     stokes_z += other.stokes_z;
     return *this;
@@ -101,6 +102,7 @@ LineStatistics between(const LineStatistics& before, const LineStatistics& after
                 .trace_rate_square = of.trace_rate_square * factor,
                 .trace_drop_x = of.trace_drop_x * factor,
                 .trace_drop_z = of.trace_drop_z * factor,
+                .level_m = of.level_m * factor,
                 .stokes_x = of.stokes_x * factor,
                 .stokes_z = of.stokes_z * factor};
     };
@@ -146,6 +148,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 statistics.height_variance = mirrors * opposites.expected_square();
                 statistics.mean_square_slope = mirrors * opposites.expected_square() * k * k;
                 statistics.mean_square_convergence = statistics.mean_square_slope * orbit_square;
+                statistics.level_m = mirrors * opposites.realised_square() * k * orbit;
                 const double sign = signed_m == m ? 1 : -1;
                 // Frequency in the frame of drifting foam: foam that moves with a wave meets it
                 // less often.

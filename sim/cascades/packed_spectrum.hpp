@@ -43,7 +43,7 @@ struct PackedSpectrum {
 };
 
 /// Contribution of a line's waves, and of its mirror's, to the statistics of the sea. All except
-/// those of the trace are means over all seeds.
+/// those of the trace and the level are means over all seeds.
 struct LineStatistics {
     double height_variance = 0;    ///< m^2
     double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves, not of the textures
@@ -56,6 +56,8 @@ struct LineStatistics {
     double trace_square = 0, trace_rate_square = 0;
     /// trace_square on columns of texels less that midway between two columns, and of rows.
     double trace_drop_x = 0, trace_drop_z = 0;
+    /// Sum of k coth(k d) a^2 / 2 over the waves of this sea's seed, with orbit_ratio(), m.
+    double level_m = 0;
     /// Stokes drift at the surface along the axes of the cascade, m/s.
     double stokes_x = 0, stokes_z = 0;
 

@@ -18,6 +18,12 @@ std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
     return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
 }
 
+/// Returns Cascade::level_m: the drawn mean of h (1 + Dx,x + Dz,z) is then 0, because only the part of
+/// a wave's displacement in quadrature with its height has a mean product with it.
+float mean_level_m(double choppiness, const LineStatistics& waves) {
+    return static_cast<float>(choppiness * waves.level_m);
+}
+
 // Lines in a job: few, so that baking a spectrum does not delay frames.
 constexpr std::size_t spectrum_batch = 2;
 
@@ -63,7 +69,8 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
                    .waits_for = {lines_done},
                    .body = for_each_item([this, pass](std::size_t pair) {
                        if (shown_[pass].is_idle) return;
-                       columns_finalize(pass, pair, slots_.surface(cascade_), plane_bounds_[pair]);
+                       columns_finalize(pass, pair, slots_.surface(cascade_), plane_bounds_[pair],
+                                        shown_[pass].level_m);
                    }),
                    .stack_bytes = transforms});
     return {surface_done,
@@ -86,7 +93,7 @@ StageId SpectralCascade::add_velocity_stages(JobGraph& graph, StageId blend_done
                       .count = velocity_bounds_.size(),
                       .waits_for = {lines_done},
                       .body = for_each_item([this, velocity](std::size_t pair) {
-                          columns_finalize(Pass::frame, pair, velocity(), velocity_bounds_[pair]);
+                          columns_finalize(Pass::frame, pair, velocity(), velocity_bounds_[pair], 0);
                       }),
                       .stack_bytes = transforms});
 }
@@ -104,19 +111,19 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     shown.before = &before;
     shown.after = &after;
     shown.weight = static_cast<float>(moment.weight);
-    shown.choppiness = static_cast<float>(before.choppiness);
+    double choppiness = before.choppiness;
     shown.cosine = static_cast<float>(grid_.cosine);
     shown.sine = static_cast<float>(grid_.sine);
     shown.first_frequency = static_cast<float>(two_pi / loop_period_s_);
     shown.fraction = loop_fraction(moment.time_s, loop_period_s_);
     shown.band_weights.clear();
+    LineStatistics statistics = before.statistics;
     cascade.slope_ranges = before.slope_ranges;
     if (!moment.is_steady()) {
         if (shown.blended.size() == 0)
             shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), slots_.memory());
-        shown.choppiness =
-            static_cast<float>((1 - moment.weight) * before.choppiness + moment.weight * after.choppiness);
-        LineStatistics statistics = between(before.statistics, after.statistics, moment.weight);
+        choppiness = (1 - moment.weight) * before.choppiness + moment.weight * after.choppiness;
+        statistics = between(before.statistics, after.statistics, moment.weight);
         if (moment.arrival) {
             for (std::size_t band = 0; band < moment.arrival->bands(); ++band)
                 shown.band_weights.push_back(static_cast<float>(moment.arrival->fraction(band, moment.since_s)));
@@ -126,6 +133,8 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     }
     shown.is_blend = shown.weight != 0 || !shown.band_weights.empty();
     cascade.grid = grid_;
+    shown.choppiness = static_cast<float>(choppiness);
+    cascade.level_m = shown.level_m = mean_level_m(choppiness, statistics);
     shown.is_idle = moment.whitecaps_only && foam_weight_ == 0;
 }
 
@@ -204,17 +213,20 @@ EvolveRowsJob SpectralCascade::evolve_rows_job(Pass pass, std::size_t line_block
 }
 
 void SpectralCascade::transform(std::size_t pair) {
-    columns_finalize(Pass::frame, pair, slots_.surface(cascade_), plane_bounds_[pair]);
+    columns_finalize(Pass::frame, pair, slots_.surface(cascade_), plane_bounds_[pair],
+                     shown_[Pass::frame].level_m);
 }
 
-void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, FrameBounds& bounds) {
+void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, FrameBounds& bounds,
+                                       float level_m) {
     const Shown& shown = shown_[pass];
     ColumnsFinalizeJob job{.blocks = {},
                            .fft = &fft_,
                            .choppiness = shown.choppiness,
                            .cosine = shown.cosine,
                            .sine = shown.sine,
-                           .bounds = &bounds};
+                           .bounds = &bounds,
+                           .level_m = level_m};
     const std::size_t block_floats = column_block_floats(resolution_, kernels_.lanes);
     const ColumnBlockPair pair = column_block_pair(resolution_, kernels_.lanes, number);
     job.blocks[0] = surface + pair.first * block_floats;

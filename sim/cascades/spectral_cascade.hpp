@@ -56,7 +56,7 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
     void spectrum(std::size_t line);
     void blend(Pass pass, std::size_t line_block);
     EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);
-    void columns_finalize(Pass pass, std::size_t number, float* surface, FrameBounds& bounds);
+    void columns_finalize(Pass pass, std::size_t number, float* surface, FrameBounds& bounds, float level_m);
 
     FrameSlots& slots_;
     std::size_t cascade_;
@@ -89,6 +89,7 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
         std::vector<float> band_weights;
         bool is_idle = false;  ///< the pass needs whitecaps only, and the cascade makes none
         float choppiness = 0;
+        float level_m = 0;
         float cosine = 1, sine = 0;  ///< of the grid's rotation
         float first_frequency = 0;   ///< 2 pi / loop period, rad/s
         LoopFraction fraction;

@@ -138,11 +138,14 @@ inline void horizontal_columns(const ColumnsFinalizeJob& job, float* workspace) 
 }
 
 /// The heights of two column blocks as a + i b. Both are real, so the value at -kz is conj(a) + i
-/// conj(b). At kz = 0 the imaginary parts are rounding errors and are discarded.
+/// conj(b). At kz = 0 the imaginary parts are rounding errors and are discarded, and the level adds to
+/// the mean of each column.
 template <class Arch, bool HasSecond>
 struct HeightHalfPlane {
     using V = xsimd::batch<float, Arch>;
-    PELAGIC_INLINE Complex<Arch> zero() const { return {a(0, height_re), b(0, height_re)}; }
+    PELAGIC_INLINE Complex<Arch> zero() const {
+        return {a(0, height_re) + level, HasSecond ? b(0, height_re) + level : V(0.f)};
+    }
     PELAGIC_INLINE Complex<Arch> wave(std::size_t n) const {
         return {a(n, height_re) - b(n, height_im), a(n, height_im) + b(n, height_re)};
     }
@@ -156,6 +159,7 @@ struct HeightHalfPlane {
         return HasSecond ? V::load_aligned(second + (n * line_components + component) * V::size) : V(0.f);
     }
     const float *first, *second;
+    V level;
 };
 
 template <class Arch, bool HasSecond>
@@ -179,7 +183,7 @@ template <class Arch, bool HasSecond>
 inline void height_columns(const ColumnsFinalizeJob& job, float* workspace) {
     float *const first = job.blocks[0], *const second = job.blocks[1];
     const auto finished =
-        transform_columns<Arch>(*job.fft, workspace, HeightHalfPlane<Arch, HasSecond>{first, second},
+        transform_columns<Arch>(*job.fft, workspace, HeightHalfPlane<Arch, HasSecond>{first, second, job.level_m},
                                 FinishHeights<Arch, HasSecond>{first, second});
     job.bounds->height_min_m = min_lane<Arch>(finished.min);
     job.bounds->height_max_m = max_lane<Arch>(finished.max);

@@ -85,6 +85,7 @@ struct ColumnsFinalizeJob {
     /// stored along the world's axes.
     float cosine, sine;
     FrameBounds* bounds;
+    float level_m = 0;  ///< Cascade::level_m, added to each height
 };
 
 /// Compression of a cascade in a frame, in bytes: nearest(clamp(offset + factor (Dx,x + Dz,z), 0,

@@ -39,11 +39,14 @@ void shore_rows(const ShoreRowsJob& job) {
         const float* const waves = job.waves + g * job.wave_count * 2 * group;
         for (std::size_t lane = 0; lane < group; lane += lanes) {
             const std::size_t at = g * group + lane;
+            const V level = V::load_aligned(job.level + at);
             if (!job.has_waves[g]) {
-                none.store_aligned(job.height + at);
+                low = xsimd::min(low, level);
+                high = xsimd::max(high, level);
+                level.store_aligned(job.height + at);
                 none.store_aligned(job.vertical_velocity + at);
                 none.store_aligned(job.potential + at);
-                none.store_aligned(job.reach + at);
+                level.store_aligned(job.reach + at);
                 for (std::size_t i = 0; i < lanes; ++i) job.foam[at + i] = 0;
                 continue;
             }
@@ -61,11 +64,11 @@ void shore_rows(const ShoreRowsJob& job) {
             const V h_t = attenuation * sum.h_t + attenuation_t * sum.h,
                     q_t = attenuation * sum.q_t + attenuation_t * sum.q;
             const V sharpness = V::load_aligned(job.sharpness + at), stands = attenuation * envelope;
-            const V height = h + sharpness * (h * h - q * q);
+            const V height = level + (h + sharpness * (h * h - q * q));
             height.store_aligned(job.height + at);
             (h_t + (sharpness + sharpness) * (h * h_t - q * q_t)).store_aligned(job.vertical_velocity + at);
             (attenuation * sum.potential).store_aligned(job.potential + at);
-            (stands + sharpness * (stands * stands)).store_aligned(job.reach + at);
+            (level + (stands + sharpness * (stands * stands))).store_aligned(job.reach + at);
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);
 

@@ -11,7 +11,7 @@ namespace pelagic {
 /// envelope of the crests. Where the envelope exceeds `highest_envelope`, the waves are scaled down
 /// to it. Then the crests are sharpened: h + s (h^2 - q^2) (Tayfun 1980). Where the envelope
 /// approaches `breaking_envelope`, foam appears behind the crests. The velocity potential is the
-/// sum of g / omega q.
+/// sum of g / omega q. A level that is constant in time adds to heights and envelopes.
 struct ShoreRowsJob {
     static constexpr std::size_t group_texels = 16;
     /// Foam starts at white_from times the breaking envelope and is complete at (white_from +
@@ -30,6 +30,7 @@ struct ShoreRowsJob {
     const float* highest_envelope;   ///< of each texel, metres, above 0
     const float* breaking_envelope;  ///< of each texel, metres, above 0
     const float* sharpness;          ///< s of each texel, 1/m
+    const float* level;              ///< of each texel, metres
     std::size_t first_group, groups;
     float *height, *vertical_velocity, *potential, *reach;  ///< of each texel
     std::uint8_t* foam;

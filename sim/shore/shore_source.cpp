@@ -162,6 +162,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
       breaking_envelope_(bed_.texels(), memory),
       sharpness_(bed_.texels(), memory),
       depth_(bed_.texels(), memory),
+      level_(bed_.texels(), memory),
       weights_(bed_.texels(), memory),
       bake_(std::make_unique<Bake>()),
       at_ticks_(at_ticks) {
@@ -498,6 +499,7 @@ void ShoreSource::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surf
 
 void ShoreSource::begin(const PassMoment& at) {
     is_idle_ = at.whitecaps_only;
+    if (!has_levels_) set_levels(at.cascades);
     const LoopFraction fraction = loop_fraction(at.time_in_loop_s, sea_.loop_period_s);
     for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
         const std::uint32_t turns = waves_[wave].harmonic * fraction.turns;
@@ -506,6 +508,19 @@ void ShoreSource::begin(const PassMoment& at) {
                                    static_cast<float>(waves_[wave].omega),
                                    static_cast<float>(gravity_mps2 / waves_[wave].omega)};
     }
+}
+
+/// The levels need the amplitudes that the seed drew, which the first pass has.
+void ShoreSource::set_levels(std::span<const Cascade> cascades) {
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
+        double level_m = 0;
+        for (std::size_t cascade = 0; cascade < cascades.size(); ++cascade) {
+            const double weight = static_cast<double>(weights_.data()[texel] >> 8 * cascade & 255) / 255;
+            level_m += (weight * weight - weight) * static_cast<double>(cascades[cascade].level_m);
+        }
+        level_.data()[texel] = static_cast<float>(inside(texel) * level_m);
+    }
+    has_levels_ = true;
 }
 
 void ShoreSource::rows(Pass pass, std::size_t item) {
@@ -519,6 +534,7 @@ void ShoreSource::rows(Pass pass, std::size_t item) {
                          .highest_envelope = highest_envelope_.data(),
                          .breaking_envelope = breaking_envelope_.data(),
                          .sharpness = sharpness_.data(),
+                         .level = level_.data(),
                          .first_group = first,
                          .groups = std::min(groups_per_item, has_waves_.size() - first),
                          .height = slot.height.data(),
@@ -559,7 +575,7 @@ ShoreSurface ShoreSource::of_pass() const {
 std::size_t ShoreSource::bytes() const {
     std::size_t bytes = sizeof *this + bed_.depth_m.size() * sizeof(double) + amplitudes_.bytes() +
                         has_waves_.size() + highest_envelope_.bytes() + breaking_envelope_.bytes() +
-                        sharpness_.bytes() + depth_.bytes() + weights_.bytes() +
+                        sharpness_.bytes() + depth_.bytes() + level_.bytes() + weights_.bytes() +
                         waves_.size() * (sizeof(ShoreWave) + passes * sizeof(ShoreRowsJob::Moment));
     for (const Slot& slot : slots_)
         bytes += slot.HeightFieldBuffers::bytes() + slot.potential.bytes() + slot.reach.bytes();

@@ -3,6 +3,10 @@
 // Jobs bake once, by texel: each refracted long wave (refraction.hpp) as a complex amplitude; the
 // weights of the cascades; and the attenuation of all waves together by breaking. A frame rotates
 // the amplitudes by one phase for each wave, and adds them.
+//
+// A weight w scales the heights of a cascade and its level L (Cascade::level_m), but the mean that L
+// removes is w^2 L. The shore's height contains the difference (w^2 - w) L, which fades to 0 at the
+// edges of the rectangle, as its waves do.
 #pragma once
 
 #include <cstddef>
@@ -81,6 +85,7 @@ class ShoreSource final : public FramePart {
     /// Returns the upper bound of the standard deviation of all waves, in water and on sand.
     double max_deviation_m(std::size_t texel) const;
     void rows(Pass pass, std::size_t item);
+    void set_levels(std::span<const Cascade> cascades);
     /// Returns the fade weight: 0 at the rectangle's edges, 1 beyond fade_m from them.
     double inside(std::size_t texel) const;
 
@@ -95,6 +100,8 @@ class ShoreSource final : public FramePart {
     AlignedBuffer<float> amplitudes_;  ///< laid out as ShoreRowsJob::waves
     std::vector<std::uint8_t> has_waves_;
     AlignedBuffer<float> highest_envelope_, breaking_envelope_, sharpness_, depth_;
+    AlignedBuffer<float> level_;  ///< of the sea, from the first pass on
+    bool has_levels_ = false;
     AlignedBuffer<std::uint32_t> weights_;
     float weights_change_per_m_ = 0;
 

@@ -55,6 +55,7 @@ struct GridSums {
     double expected_hz = 0, expected_hz2 = 0;
     double expected_swell = 0, realised_swell = 0;              ///< m^2
     double expected_convergence = 0, realised_convergence = 0;  ///< variances of Dx,x + Dz,z
+    double expected_level = 0, realised_level = 0;              ///< sums of Cascade::level_m
 
     /// Adds the variance of a wave. \param of_swell  the swell's contribution to `variance`, m^2
     void add_realised(double hertz, std::uint32_t harmonic, double variance, double of_swell) {
@@ -157,8 +158,10 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Contents conte
             const double horizontal = sea.choppiness * orbit_ratio(k, water.depth_m) * k;
             sums.add_expected(omega / two_pi, here.expected);
             sums.expected_convergence += here.expected * (horizontal * horizontal);
+            sums.expected_level += here.expected * horizontal;
             if (!(here.realised > 0)) continue;
             sums.realised_convergence += here.realised * (horizontal * horizontal);
+            sums.realised_level += here.realised * horizontal;
             sums.add_realised(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.realised,
                               here.realised_swell);
         }
@@ -406,6 +409,8 @@ SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, co
     report.realised_periods = realised_periods_from(sums, sea.loop_period_s);
     report.expected_convergence_variance = sums.expected_convergence;
     report.realised_convergence_variance = sums.realised_convergence;
+    report.expected_level_m = sums.expected_level;
+    report.realised_level_m = sums.realised_level;
     report.expected_directions = directions_from(sums.expected);
     report.realised_directions = directions_from(sums.realised);
     if (sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::jonswap)

@@ -38,6 +38,18 @@ double turns_of(double rad) {
     return turns - std::floor(turns + 0.5);
 }
 
+/// Returns the sum of k a^2 / 2 over the waves of a cascade, m; waves of one grid index interfere.
+double level_of(const std::vector<GridWave>& waves, const CascadePlan& cascade) {
+    double level_m = 0;
+    for (const GridWave& wave : waves) {
+        std::complex<double> all;
+        for (const GridWave& other : waves)
+            if (other.at == wave.at) all += other.half_amplitude();
+        level_m += wave.at.steps() * cascade.spacing() * 2 * (wave.half_amplitude() * std::conj(all)).real();
+    }
+    return level_m;
+}
+
 std::string check_pond(const SeaState& sea) {
     if (sea.wave_height_m == 0)
         return invalid_value_message("wave_height_m", sea.wave_height_m, "above 0 where waves is pond");
@@ -137,7 +149,9 @@ PlaneWaves waves_of_cascades(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     PlaneWaves held{.waves = {}, .choppiness = sea.choppiness};
     for (const CascadePlan& cascade : plan_cascades(sea)) {
-        for (const GridWave& wave : grid_waves(sea, cascade)) {
+        const std::vector<GridWave> waves = grid_waves(sea, cascade);
+        held.level_m += sea.choppiness * level_of(waves, cascade);
+        for (const GridWave& wave : waves) {
             const auto [x, z] = turns_per_m_of(cascade.grid, wave.at);
             const double omega = angular_frequency(wave.at.steps() * cascade.spacing(), deep_water);
             held.waves.push_back({.amplitude_m = wave.amplitude_m,

@@ -180,6 +180,20 @@ double density(const SeaState& sea, double kx, double kz) {
     return breaking_factor(sea) * unbroken_density(sea, kx, kz);
 }
 
+double mean_level(const SeaState& sea) {
+    const int n = sea.resolution;
+    const double attenuation = breaking_factor(sea);
+    double sum = 0;
+    for (int kz = -n / 2; kz < n / 2; ++kz)
+        for (int kx = -n / 2; kx < n / 2; ++kx) {
+            if (kx == 0 && kz == 0) continue;
+            const double k = 2 * pi / sea.patch_size_m * std::hypot(kx, kz);
+            const double a = 2 * std::abs(amplitude(sea, attenuation, kx, kz));  // h = a cos(k.x - w t)
+            sum += k * std::min(20.0, 1 / std::tanh(k * sea.depth_m)) * a * a / 2;
+        }
+    return sea.choppiness * sum;
+}
+
 Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, breaking_factor(sea), m, n); }
 
 ComplexField spectrum_at(const SeaState& sea, double time_s) {
@@ -205,7 +219,7 @@ ComplexField spectrum_at(const SeaState& sea, double time_s) {
 Fields fields_at(const SeaState& sea, double time_s) {
     const int n = sea.resolution;
     const std::size_t side = static_cast<std::size_t>(n);
-    const ComplexField waves = spectrum_at(sea, time_s);
+    ComplexField waves = spectrum_at(sea, time_s);
     ComplexField along_x(waves.size()), along_z(waves.size());
     for (std::size_t j = 0; j < side; ++j) {
         for (std::size_t i = 0; i < side; ++i) {
@@ -220,6 +234,7 @@ Fields fields_at(const SeaState& sea, double time_s) {
             along_z[j * side + i] = kz / length * horizontal;
         }
     }
+    waves[0] = mean_level(sea);
     const auto transform = n <= 64 ? naive_inverse_dft : inverse_fft;
     return {transform(waves, n), transform(along_x, n), transform(along_z, n)};
 }

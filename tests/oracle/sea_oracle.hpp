@@ -34,6 +34,9 @@ double density(const SeaState& sea, double kx, double kz);
 /// Returns h0 of the integer wave numbers (m, n).
 Complex initial_amplitude(const SeaState& sea, int m, int n);
 
+/// Returns the height that cascades add so that the mean level at fixed places is 0, in m.
+double mean_level(const SeaState& sea);
+
 /// The three fields as complex sums, so that tests can check that the imaginary parts vanish.
 struct Fields {
     ComplexField height, dx, dz;  ///< dx and dz are multiplied by choppiness

@@ -123,6 +123,7 @@ const Frame& UnfusedSea::frame_at(double time_s) {
 void UnfusedSea::spectrum() {
     const CascadeWaves waves(sea_, plan_cascades(sea_).front());
     const double spacing = 6.28318530717958647693 / sea_.patch_size_m;
+    double level = 0;
     for (int n = 0; n < sea_.resolution / 2; ++n) {
         for (int position = 0; position < sea_.resolution; ++position) {
             const int m = position < sea_.resolution / 2 ? position : position - sea_.resolution;
@@ -134,7 +135,9 @@ void UnfusedSea::spectrum() {
             const std::complex<double> along = waves.amplitude(m, n);
             const std::complex<double> against = std::conj(waves.amplitude(-m, -n));
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            const double k = length * spacing;
             const double tanh_kd = det::tanh(length * spacing * sea_.depth_m), coth_kd = std::min(1 / tanh_kd, 20.0);
+            level += (n == 0 ? 1 : 2) * (std::norm(along) + std::norm(against)) * k * coth_kd;
             waves_.push_back(
                 {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
                  static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real()),
@@ -142,6 +145,7 @@ void UnfusedSea::spectrum() {
                  loop_harmonic(angular_frequency(length * spacing, sea_.depth_m), sea_.loop_period_s)});
         }
     }
+    level_m_ = static_cast<float>(sea_.choppiness * level);
 }
 
 void UnfusedSea::evolve(std::uint32_t fraction) {
@@ -192,7 +196,7 @@ void UnfusedSea::columns() {
         const std::size_t partner = x + partner_distance;
         const auto second = [&](std::size_t n) { return partner < n_ ? fields_.h[at(partner, n)] : Complex{}; };
         line[n_ / 2] = {};
-        line[0] = {fields_.h[at(x, 0)].re, second(0).re};
+        line[0] = {fields_.h[at(x, 0)].re + level_m_, partner < n_ ? second(0).re + level_m_ : 0};
         for (std::size_t n = 1; n < n_ / 2; ++n) {
             const Complex a = fields_.h[at(x, n)], b = second(n);
             line[n] = {a.re - b.im, a.im + b.re};

@@ -54,6 +54,7 @@ class UnfusedSea {
     std::size_t n_;
     FftPlan plan_;
     std::vector<Wave> waves_;
+    float level_m_ = 0;  ///< Cascade::level_m
     Field fields_;
     std::vector<float> dx_, height_, dz_;
     std::vector<std::uint16_t> halves_;

@@ -1,0 +1,121 @@
+// Records of the height at fixed places, as a wave staff measures it: the mean level, and the
+// distributions of heights and crests.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "pelagic/sim/buffers/shore_at.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/oracle/sea_oracle.hpp"
+#include "pelagic/tests/shores.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Wave staffs at 8 x 8 places, read by cubic queries.
+class Staffs {
+   public:
+    static constexpr std::size_t count = 64;
+
+    explicit Staffs(const SeaState& sea, double apart_m = 97, double first_x_m = 0, double first_z_m = 0,
+                    const std::optional<ShoreOptions>& shore = {})
+        : ocean_(sea, {.executor = make_serial_executor(), .queries = true, .shore = shore}) {
+        for (std::size_t i = 0; i < count; ++i) {
+            x_.push_back(first_x_m + apart_m * static_cast<double>(i % 8));
+            z_.push_back(first_z_m + apart_m * static_cast<double>(i / 8));
+        }
+    }
+
+    const std::vector<float>& heights_at(double time_s) {
+        SurfaceQuery(ocean_.frame_at(time_s), {.interpolation = Interpolation::cubic})
+            .sample({x_, z_}, {.height_m = heights_});
+        return heights_;
+    }
+
+    /// Returns the mean height over all places and a whole loop.
+    double mean_m(double step_s) {
+        double sum = 0;
+        const auto times = static_cast<int>(std::floor(ocean_.sea().loop_period_s / step_s + 0.5));
+        for (int i = 0; i < times; ++i)
+            for (const float height : heights_at(i * step_s)) sum += static_cast<double>(height);
+        return sum / (static_cast<double>(times) * count);
+    }
+
+   private:
+    Ocean ocean_;
+    std::vector<double> x_, z_;
+    std::vector<float> heights_ = std::vector<float>(count);
+};
+
+SeaState preset_in_real_time(const char* name) {
+    SeaState sea = sea_preset_named(name)->sea;
+    sea.loop_period_s = 3600;
+    return sea;
+}
+
+double level_of(const Frame& frame) {
+    double level_m = 0;
+    for (const Cascade& cascade : frame.cascades) level_m += static_cast<double>(cascade.level_m);
+    return level_m;
+}
+
+// Without the cascades' levels the mean is lower by 4 and by 19 cm.
+TEST(MeanLevel, AtFixedPlacesIsZeroOverALoop) {
+    EXPECT_NEAR(Staffs(preset_in_real_time("moderate")).mean_m(4), 0, 0.003);
+    EXPECT_NEAR(Staffs(preset_in_real_time("storm")).mean_m(4), 0, 0.015);
+}
+
+TEST(MeanLevel, OfACascadeIsTheSumOverItsWaves) {
+    for (const double depth_m : {4000., 3.}) {
+        const SeaState sea{.resolution = 64, .patch_size_m = 300, .depth_m = depth_m, .choppiness = 0.7};
+        Ocean ocean(sea, {.executor = make_serial_executor()});
+        const Frame& frame = ocean.frame_at(5.5);
+        const double expected = oracle::mean_level(sea);
+        EXPECT_NEAR(level_of(frame) / expected, 1, 1e-6) << depth_m;
+        EXPECT_NEAR(report_on(sea).realised_level_m / expected, 1, 1e-9) << depth_m;
+        double sum = 0;
+        for (int j = 0; j < 64; ++j)
+            for (int i = 0; i < 64; ++i) sum += static_cast<double>(frame.cascades[0].height.at(i, j));
+        EXPECT_NEAR(sum / (64 * 64), expected, 1e-6) << depth_m;
+    }
+}
+
+// Energies and choppiness are linear in the weight.
+TEST(MeanLevel, OfATransitionBlendsEnergyAndChoppiness) {
+    SeaState before{.resolution = 32, .wind_speed_mps = 8, .choppiness = 0.5};
+    SeaState after = before;
+    after.wind_speed_mps = 16;
+    after.choppiness = 1;
+    Ocean ocean(Forecast{.first = before, .changes = {{.sea = after, .from_s = 100, .over_s = 60}}},
+                {.executor = make_serial_executor()});
+    const double of_before = level_of(ocean.frame_at(0)) / 0.5, of_after = level_of(ocean.frame_at(300));
+    ASSERT_GT(of_after, 2 * of_before);
+    EXPECT_NEAR(level_of(ocean.frame_at(130)), 0.75 * (0.5 * of_before + 0.5 * of_after), 1e-6);
+}
+
+TEST(MeanLevel, IsZeroWithoutChoppiness) {
+    Ocean ocean({.resolution = 32, .choppiness = 0}, {.executor = make_serial_executor()});
+    EXPECT_EQ(level_of(ocean.frame_at(0)), 0);
+}
+
+// A weight w scales waves and level alike, but only w^2 of the level is needed.
+TEST(MeanLevel, IsZeroOverAShoreToo) {
+    const SeaState sea{.wind_speed_mps = 15, .choppiness = 1, .loop_period_s = 1200};
+    const ShoreOptions shelf = shore_of(81, 81, 10, [](double, double) { return -4.0; });
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .shore = shelf});
+    const Frame& frame = ocean.frame_at(0);
+    double too_high_m = 0;
+    for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade) {
+        const double weight = ShoreAt(frame.shore, 400, 400).weight(cascade);
+        too_high_m += (weight - weight * weight) * static_cast<double>(frame.cascades[cascade].level_m);
+    }
+    EXPECT_GT(too_high_m, 0.005);
+    EXPECT_NEAR(Staffs(sea, 41, 250, 250, shelf).mean_m(1.5), 0, 0.002);
+}
+
+}  // namespace
+}  // namespace pelagic
