@@ -7,13 +7,17 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -352,6 +356,63 @@ TEST(QueryCommand, HelpListsTheOutputColumns) {
     for (const char* part : {"--points", "--time", query_header})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
     EXPECT_NE(run_pelagic({"--help"}).out.find("query"), std::string::npos);
+}
+
+// The record is a series of the library's heights; statistics of a regular wave would be exact, those
+// of a random sea are within their sampling errors of `info`.
+TEST(QueryCommand, RecordsOnePointAsABuoy) {
+    const Outcome outcome =
+        run_pelagic({"query", "--record", "600", "--rate", "2", "--wind-speed", "9", "--time", "50"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "note: the loop period is 3600 s\nnote: interpolation is cubic\n");
+    const std::vector<std::string> lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 1u + 1200 + 7);
+    EXPECT_EQ(lines[0], "time," + std::string(query_header));
+    EXPECT_EQ(lines[1].substr(0, 7), "50,0,0,");
+    EXPECT_EQ(lines[1200].substr(0, 10), "649.5,0,0,");
+    double sum = 0, squares = 0;
+    for (std::size_t i = 1; i <= 1200; ++i) {
+        const double height = numbers_in(lines[i]).at(3);
+        sum += height / 1200, squares += height * height / 1200;
+    }
+    std::map<std::string, double> footer;
+    for (std::size_t i = 1201; i < lines.size(); ++i) {
+        const std::size_t comma = lines[i].find(',');
+        ASSERT_EQ(lines[i].substr(0, 2), "# ");
+        footer[lines[i].substr(2, comma - 2)] = std::stod(lines[i].substr(comma + 1));
+    }
+    EXPECT_NEAR(footer.at("Hm0_m"), 4 * std::sqrt(squares - sum * sum), 1e-3);
+    const SeaReport report = report_on({.wind_speed_mps = 9, .loop_period_s = 3600});
+    EXPECT_NEAR(footer.at("Hm0_m") / report.realised_significant_wave_height_m, 1, 0.25);
+    EXPECT_NEAR(footer.at("Tp_s") / report.expected.peak_period_s, 1, 0.2);
+    EXPECT_NEAR(footer.at("Tz_s") / report.expected_periods.tm02_s, 1, 0.2);
+    EXPECT_NEAR(footer.at("direction_deg"), 0, 20);
+    EXPECT_NEAR(footer.at("spread_deg") * std::numbers::pi / 180, report.expected_directions.spread_rad, 0.25);
+    EXPECT_NEAR(footer.at("skewness"), 0, 0.5);
+    EXPECT_NEAR(footer.at("highest_wave_m") / footer.at("Hm0_m"), 1.6, 0.5);
+}
+
+TEST(QueryCommand, RejectsInvalidRecords) {
+    const TemporaryFolder folder;
+    write_file(folder / "two.csv", "0,0\n1,1\n");
+    const std::string two = (folder / "two.csv").string();
+    const std::string a_duration = "seconds in [10, 86400], with 16 to 1000000 samples";
+    for (const auto& [flags, message] : {
+             std::pair<std::vector<std::string>, std::string>{{"--rate", "4"},
+                                                              "--rate needs --record: only a record has a rate"},
+             {{"--record", "5"}, "--record is 5, expected " + a_duration},
+             {{"--record", "10", "--rate", "1"}, "--record is 10, expected " + a_duration},
+             {{"--record", "60", "--rate", "0"}, "--rate is 0, expected samples per second in [0.001, 100]"},
+             {{"--record", "60", "--json"}, "--json cannot be combined with --record"},
+             {{"--record", "60", "--times", "0:1:1"}, "--times cannot be combined with --record"},
+             {{"--record", "60", "--points", two}, "--record needs one point, and " + two + " has more"}}) {
+        std::vector<std::string> words = {"query"};
+        words.insert(words.end(), flags.begin(), flags.end());
+        const Outcome outcome = run_pelagic(words);
+        EXPECT_EQ(outcome.exit_code, 2) << message;
+        EXPECT_EQ(outcome.err, "pelagic: " + message + "\n");
+        EXPECT_EQ(outcome.out, "");
+    }
 }
 
 }  // namespace

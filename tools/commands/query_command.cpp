@@ -23,6 +23,7 @@
 #include "pelagic/tools/files/input_file.hpp"
 #include "pelagic/tools/hulls/hull_options.hpp"
 #include "pelagic/tools/hulls/hull_player.hpp"
+#include "pelagic/tools/measure/buoy_record.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/options/floor_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
@@ -94,6 +95,98 @@ class SpanNote {
     bool is_printed_ = false;
 };
 
+/// The text of the points: of a file, of standard input, or the origin without --points.
+class PointBytes {
+   public:
+    explicit PointBytes(const std::optional<std::string>& points) {
+        if (!points) return;
+        file_.emplace("--points", *points, "a CSV file of lines x,z", true);
+        std::error_code unknown_size;  // of a pipe
+        const auto bytes = std::filesystem::file_size(*points, unknown_size);
+        if (!unknown_size) all_ = static_cast<double>(bytes);
+    }
+
+    std::string name() const { return file_ ? file_->name() : "the origin"; }
+    std::size_t read(std::span<char> to) {
+        std::size_t got = 0;
+        if (file_)
+            got = file_->read(to);
+        else if (read_ == 0)
+            got = std::string_view("0,0\n").copy(to.data(), to.size());
+        read_ += got;
+        return got;
+    }
+    /// Returns the fraction of the file that was read, 0 if its size is unknown.
+    double fraction_read() const { return all_ > 0 ? std::min(1.0, static_cast<double>(read_) / all_) : 0; }
+
+   private:
+    std::optional<InputFile> file_;
+    double all_ = 0;
+    std::size_t read_ = 0;
+};
+
+/// A record of one point: --record and --rate.
+struct RecordOptions {
+    double duration_s = 0, rate_hz = 4;
+
+    std::vector<double> times_s(double first_s) const {
+        std::vector<double> times;
+        const auto count = static_cast<std::size_t>(std::floor(duration_s * rate_hz + 1e-6));
+        for (std::size_t i = 0; i < count; ++i) times.push_back(first_s + static_cast<double>(i) / rate_hz);
+        return times;
+    }
+};
+
+/// Loop of a record that is longer than the sea's loop, unless --loop-period is given, in seconds.
+constexpr double record_loop_s = 3600;
+
+/// Makes the loop of the sea, with its transitions, long enough for a record.
+ResolvedSea without_repetition(ResolvedSea sea, const RecordOptions& record) {
+    if (sea.has_loop_period || record.duration_s <= sea.sea.loop_period_s) return sea;
+    const double loop_s = std::max(record_loop_s, std::ceil(record.duration_s));
+    print_note("the loop period is " + number_text(loop_s) + " s");
+    sea.sea.loop_period_s = loop_s;
+    for (ResolvedChange& change : sea.changes) change.sea.sea.loop_period_s = loop_s;
+    return sea;
+}
+
+/// Collects the samples of a record and prints its statistics.
+class RecordFooter {
+   public:
+    RecordFooter(double rate_hz, double depth_m) : record_{.rate_hz = rate_hz, .depth_m = depth_m} {}
+
+    /// \pre the samples are those of one point
+    void add(SampleBuffers& samples) {
+        const SurfaceSamples point = samples.samples();
+        // A surface that overturns has no slope.
+        const double up = std::max(static_cast<double>(point.normal_y[0]), 0.02);
+        record_.height_m.push_back(static_cast<double>(point.height_m[0]));
+        record_.slope_x.push_back(0 - static_cast<double>(point.normal_x[0]) / up);
+        record_.slope_z.push_back(0 - static_cast<double>(point.normal_z[0]) / up);
+    }
+    void print() const {
+        const RecordStatistics found = statistics_of(record_);
+        std::string text;
+        const auto line = [&](const char* name, std::optional<double> value) {
+            text += std::string("# ") + name + "," + (value ? rounded_text(*value, 4) : "") + "\n";
+        };
+        line("Hm0_m", found.significant_wave_height_m);
+        line("Tp_s", found.peak_period_s);
+        line("Tz_s", found.zero_crossing_period_s);
+        const auto degrees = [&](double WaveDirections::*radians) {
+            return found.directions ? std::optional(in_degrees((*found.directions).*radians)) : std::nullopt;
+        };
+        line("direction_deg", degrees(&WaveDirections::mean_rad));
+        line("spread_deg", degrees(&WaveDirections::spread_rad));
+        line("skewness", found.skewness);
+        line("highest_wave_m", found.highest_wave_m);
+        write_output(text);
+    }
+
+   private:
+    BuoyRecord record_;
+};
+
 std::vector<double> series(const std::string& text) {
     const auto first_colon = text.find(':'), last_colon = text.rfind(':');
     if (first_colon == last_colon) throw bad_value("--times", text, a_series);
@@ -151,6 +244,8 @@ class QueryCommand final : public Command {
     /// Prints a row for each time.
     void run_hull(const ResolvedSea& sea, const std::vector<double>& times_s) const;
     std::vector<double> times(const ResolvedSea& sea) const;
+    /// Returns the options of a record; none without --record.
+    std::optional<RecordOptions> record() const;
 
     std::optional<ShoreOptions> shore(const ResolvedSea& sea) const;
 
@@ -160,7 +255,7 @@ class QueryCommand final : public Command {
     ComputeFlags compute_;
     FloorFlags floor_;
     WaterFrameFlags water_frame_;
-    std::optional<std::string> points_, time_, times_, interpolation_;
+    std::optional<std::string> points_, time_, times_, record_, rate_, interpolation_;
     bool json_ = false, foam_ = false;
 };
 
@@ -171,6 +266,9 @@ void QueryCommand::add_options(CLI::App& app) {
     app.add_option("--time", time_, "seconds; [-1e9, 1e9] (default: 0)")->type_name("SECONDS");
     app.add_option("--times", times_, "sample at several times, and add a column with the time")
         ->type_name("FIRST:LAST:STEP");
+    app.add_option("--record", record_, "sample one point, (0, 0) without --points, and add statistics")
+        ->type_name("SECONDS");
+    app.add_option("--rate", rate_, "samples per second of --record; [0.001, 100] (default: 4)")->type_name("HZ");
     app.add_option("--interpolation", interpolation_,
                    "between texels; cubic keeps short waves, linear is the drawn surface (default: cubic)")
         ->type_name(alternatives(names_of<Interpolation>()));
@@ -197,6 +295,9 @@ void QueryCommand::add_options(CLI::App& app) {
         "error, or with --json as interpolation in each object. Other columns of the file are copied in\n"
         "front of the results. A file may have any length. It is read in blocks of 32768 points: an\n"
         "invalid line ends the command when its block is read, and --times applies to one block at a time.\n"
+        "--record prints a row for each time, then lines # NAME,VALUE: Hm0_m, Tp_s, Tz_s (upward crossings\n"
+        "of the mean), direction_deg and spread_deg (towards, from +x to +z), skewness, highest_wave_m.\n"
+        "Without --loop-period the loop is at least as long as the record.\n"
         "--hull prints time,x,y,z,heave,heading,pitch,roll,vx,vy,vz,draught,displaced instead: position and\n"
         "velocity of the centre of mass, heave above its height in still water, degrees (pitch: bow up,\n"
         "roll: starboard down), and m^3 of water.");
@@ -213,6 +314,22 @@ std::vector<double> QueryCommand::times(const ResolvedSea& sea) const {
     return {time_ ? number_in("--time", *time_, -latest_time_s, latest_time_s, "seconds in [-1e9, 1e9]") : 0};
 }
 
+std::optional<RecordOptions> QueryCommand::record() const {
+    if (!record_) {
+        if (rate_) throw InputError("--rate needs --record: only a record has a rate");
+        return {};
+    }
+    for (const auto& [flag, is_given] : {std::pair("--times", times_.has_value()), {"--json", json_}})
+        if (is_given) throw InputError(std::string(flag) + " cannot be combined with --record");
+    RecordOptions record;
+    constexpr const char* a_duration = "seconds in [10, 86400], with 16 to 1000000 samples";
+    record.duration_s = number_in("--record", *record_, 10, longest_loop_s, a_duration);
+    if (rate_) record.rate_hz = number_in("--rate", *rate_, 1e-3, 100, "samples per second in [0.001, 100]");
+    const double samples = record.duration_s * record.rate_hz;
+    if (samples < 16 || samples > static_cast<double>(max_times)) throw bad_value("--record", *record_, a_duration);
+    return record;
+}
+
 std::optional<ShoreOptions> QueryCommand::shore([[maybe_unused]] const ResolvedSea& sea) const {
 #if defined(PELAGIC_HAS_IMAGES)
     if (floor_.has_floor() && !floor_.has_shore())
@@ -225,6 +342,7 @@ std::optional<ShoreOptions> QueryCommand::shore([[maybe_unused]] const ResolvedS
 
 void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& times_s) const {
     for (const auto& [flag, is_given] : {std::pair("--points", points_.has_value()),
+                                         {"--record", record_.has_value()},
                                          {"--interpolation", interpolation_.has_value()},
                                          {"--foam", foam_}})
         if (is_given) throw InputError(std::string(flag) + " cannot be combined with --hull");
@@ -258,9 +376,11 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
 }
 
 void QueryCommand::run() {
-    const ResolvedSea sea = sea_.resolve();
+    const std::optional<RecordOptions> record = this->record();
+    const ResolvedSea sea = record ? without_repetition(sea_.resolve(), *record) : sea_.resolve();
     print_weather_note(sea);
-    const std::vector<double> times_s = times(sea);
+    std::vector<double> times_s = times(sea);
+    if (record) times_s = record->times_s(times_s.front());
     if (hull_.has_hull()) return run_hull(sea, times_s);
     hull_.resolve();  // rejects its other options
     const ComputeOptions compute = compute_.resolve();
@@ -270,19 +390,14 @@ void QueryCommand::run() {
     const std::optional<ShoreOptions> shore = this->shore(sea);
     const std::optional<EventOptions> events = events_.resolve(sea.sea.depth_m);
     if (events) require_reachable(*events, times_s.back());
-    if (!points_ || points_->empty())
+    if (!record && (!points_ || points_->empty()))
         throw InputError("--points is missing: expected a CSV file of lines x,z, or - for standard input");
-    InputFile file("--points", *points_, "a CSV file of lines x,z", true);
-    std::error_code unknown_size;  // of a pipe
-    const auto all_bytes = std::filesystem::file_size(*points_, unknown_size);
-    std::size_t read_bytes = 0;
-    PointReader reader(file.name(), [&](std::span<char> bytes) {
-        const std::size_t got = file.read(bytes);
-        read_bytes += got;
-        return got;
-    });
+    PointBytes bytes(points_);
+    PointReader reader(bytes.name(), [&](std::span<char> to) { return bytes.read(to); });
     PointBlock block;
     bool has_points = reader.read_block(block, block_points);
+    if (record && block.size() > 1)
+        throw InputError("--record needs one point, and " + bytes.name() + " has more");
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(forecast_of(sea), {.executor = executor,
@@ -296,7 +411,8 @@ void QueryCommand::run() {
     if (events) player.emplace(*events, executor, compute.isa, water);
     SurfaceQueryJobs jobs(executor);
     SampleBuffers samples(foam_, shore.has_value());
-    RowWriter rows(executor, samples, interpolation, json_, times_.has_value());
+    RowWriter rows(executor, samples, interpolation, json_, times_.has_value() || record);
+    std::optional<RecordFooter> footer;
     SpanNote span_note(repeat_length_m(sea.sea));
     std::optional<Frame> frame;
     if (!json_) print_note("interpolation is " + std::string(name_of(interpolation)));
@@ -306,10 +422,7 @@ void QueryCommand::run() {
     double done = 0;  // fraction of the points
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
         const bool is_all = points == 0 && block.size() < block_points;
-        const double until =
-            is_all         ? 1
-            : unknown_size ? 0
-                           : std::min(1.0, static_cast<double>(read_bytes) / static_cast<double>(all_bytes));
+        const double until = is_all ? 1 : bytes.fraction_read();
         progress.begin_block(points, done, until);
         points += block.size();
         done = until;
@@ -323,6 +436,12 @@ void QueryCommand::run() {
             }
             jobs.sample(SurfaceQuery(*frame, {.interpolation = interpolation}), {block.x, block.z},
                         samples.samples());
+            if (record) {
+                const double floor_m =
+                    frame->shore ? pelagic::sample(frame->shore, block.x[0], block.z[0]).depth_m : sea.sea.depth_m;
+                if (!footer) footer.emplace(record->rate_hz, std::max(floor_m, 0.01));
+                footer->add(samples);
+            }
             for (std::size_t i = 0; i < samples.depths().size(); ++i)
                 samples.depths()[i] =
                     static_cast<float>(pelagic::sample(frame->shore, block.x[i], block.z[i]).depth_m);
@@ -331,6 +450,7 @@ void QueryCommand::run() {
         }
     }
     rows.end();
+    if (footer) footer->print();
 }
 
 }  // namespace
