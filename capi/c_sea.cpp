@@ -58,6 +58,7 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.peak_enhancement = from.peak_enhancement;
     to.depth_m = from.depth_m;
     to.choppiness = from.choppiness;
+    to.lean = from.lean;
     to.roughness = from.roughness;
     to.short_wave_cutoff = from.short_wave_cutoff;
     to.wind_alignment = from.wind_alignment;
@@ -125,6 +126,7 @@ SeaState sea_of(const pelagic_sea* pointer) {
     to.peak_enhancement = from.peak_enhancement;
     to.depth_m = from.depth_m;
     to.choppiness = from.choppiness;
+    to.lean = from.lean;
     to.roughness = from.roughness;
     to.short_wave_cutoff = from.short_wave_cutoff;
     to.wind_alignment = from.wind_alignment;

@@ -184,7 +184,7 @@ static inline pelagic_wave_system pelagic_wave_system_make(void) {
 /* generated from schema/sea.toml: c-struct */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m,
+    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, lean,
      * short_wave_cutoff, wind_alignment, the swell and seed. Only the other models use wave_count and the options
      * after it. All models use the wind, whose direction is that of their waves. */
     int32_t waves;
@@ -214,6 +214,9 @@ typedef struct pelagic_sea {
     /* Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6 of it break. */
     double depth_m;
     double choppiness; /* scale of horizontal displacements; [0, 1]. 0 gives a height field */
+    /* Forward displacement of crests, as a fraction of the displacement that sharpens them; [0, 0.6]. It makes
+     * fronts steeper than backs. A swell does not lean. */
+    double lean;
     /* GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the
      * cascades do not resolve in this wind. */
     double roughness;

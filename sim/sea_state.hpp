@@ -87,9 +87,9 @@ struct WaveSystem {
 /// checks them.
 struct SeaState {
     // generated from schema/sea.toml: members
-    /// Wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, short_wave_cutoff,
-    /// wind_alignment, the swell and seed. Only the other models use wave_count and the options
-    /// after it. All models use the wind, whose direction is that of their waves.
+    /// Wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, lean,
+    /// short_wave_cutoff, wind_alignment, the swell and seed. Only the other models use wave_count
+    /// and the options after it. All models use the wind, whose direction is that of their waves.
     WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;  ///< wave spectrum
     /// Directional spreading. The spectrum phillips-paper has paper, whatever this is by default.
@@ -118,6 +118,9 @@ struct SeaState {
     double depth_m = 4000;
     /// Scale of horizontal displacements; [0, 1]. 0 gives a height field.
     double choppiness = 0.8;
+    /// Forward displacement of crests, as a fraction of the displacement that sharpens them;
+    /// [0, 0.6]. It makes fronts steeper than backs. A swell does not lean.
+    double lean = 0;
     /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
     /// that the cascades do not resolve in this wind.
     double roughness = -1;

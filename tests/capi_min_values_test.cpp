@@ -179,6 +179,7 @@ constexpr Named<pelagic_sea> sea_fields[] = {{"patch_size_m", &pelagic_sea::patc
                                              {"fetch_m", &pelagic_sea::fetch_m},
                                              {"depth_m", &pelagic_sea::depth_m},
                                              {"choppiness", &pelagic_sea::choppiness},
+                                             {"lean", &pelagic_sea::lean},
                                              {"roughness", &pelagic_sea::roughness},
                                              {"short_wave_cutoff", &pelagic_sea::short_wave_cutoff},
                                              {"wind_alignment", &pelagic_sea::wind_alignment},

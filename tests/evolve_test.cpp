@@ -85,6 +85,7 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
             const float angle = amplitude(random);
             wave(direction_x, lane) = std::cos(angle);
             wave(direction_z, lane) = std::sin(angle);
+            wave(lean_tangent, lane) = amplitude(random) / 4;
             spectrum_.harmonics[lane] = static_cast<std::uint32_t>(random() % 2000);
         }
         const AlignedBuffer<float> out = evolved(fraction);
@@ -94,10 +95,14 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
             const double c = std::cos(angle), s = std::sin(angle);
             const double h_re = wave(plus_cos_re, lane) * c + wave(plus_sin_re, lane) * s;
             const double h_im = wave(plus_cos_im, lane) * c + wave(plus_sin_im, lane) * s;
-            // i h times the direction's x and z components, then
+            // Plus the quadrature in time times the lean, which gives d.
+            const double lean = wave(lean_tangent, lane);
+            const double d_re = h_re + lean * (wave(plus_sin_re, lane) * c - wave(plus_cos_re, lane) * s);
+            const double d_im = h_im + lean * (wave(plus_sin_im, lane) * c - wave(plus_cos_im, lane) * s);
+            // i d times the direction's x and z components, then
             // P = -(Dx + i Dz) and R = -i (Dx - i Dz).
-            const double dx_re = -wave(direction_x, lane) * h_im, dx_im = wave(direction_x, lane) * h_re;
-            const double dz_re = -wave(direction_z, lane) * h_im, dz_im = wave(direction_z, lane) * h_re;
+            const double dx_re = -wave(direction_x, lane) * d_im, dx_im = wave(direction_x, lane) * d_re;
+            const double dz_re = -wave(direction_z, lane) * d_im, dz_im = wave(direction_z, lane) * d_re;
             double expected[line_components];
             expected[height_re] = h_re;
             expected[height_im] = h_im;
@@ -105,7 +110,7 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
             expected[p_im] = -(dx_im + dz_re);
             expected[r_re] = dx_im - dz_re;
             expected[r_im] = -(dx_re + dz_im);
-            // Amplitudes are up to 4 and each value sums four products of them: a relative error of
+            // Amplitudes are up to 4 and each value sums eight products of them: a relative error of
             // 2e-6.
             for (std::size_t c6 = 0; c6 < line_components; ++c6)
                 ASSERT_NEAR(out[(lane * line_components + c6) * lanes()], expected[c6], 4e-6) << c6;

@@ -67,6 +67,7 @@ const std::map<std::string, Words> other_values = {
     {"patch-size", {"--patch-size", "300"}},
     {"wind-speed", {"--wind-speed", "20kn"}},
     {"wind-direction", {"--wind-direction", "from-NW"}},
+    {"lean", {"--lean", "0.2"}},
     {"roughness", {"--roughness", "0.25"}},
     {"swell-height", {"--swell-height", "1.5"}},
     {"swell-period", {"--swell-height", "1", "--swell-period", "13"}},

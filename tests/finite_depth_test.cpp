@@ -136,8 +136,8 @@ TEST(FiniteDepth, EachWavesHorizontalDisplacementMatchesAiryTheory) {
 // Derivatives of the frames' displacements, exact by their transforms, averaged over several times
 // of a loop.
 TEST(FiniteDepth, ReportedConvergenceVarianceMatchesTheFrames) {
-    for (const double depth : {6.0, 20.0, 4000.0}) {
-        const SeaState sea{.resolution = 64, .depth_m = depth, .swell_height_m = 1};
+    for (const auto& [depth, lean] : {std::pair(6.0, 0.0), {20.0, 0.6}, {4000.0, 0.0}}) {
+        const SeaState sea{.resolution = 64, .depth_m = depth, .lean = lean, .swell_height_m = 1};
         const SeaReport report = report_on(sea);
         Ocean ocean(sea, {.executor = make_serial_executor()});
         double measured = 0;

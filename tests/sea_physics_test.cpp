@@ -233,7 +233,7 @@ TEST(PeakPeriod, MeasuredIsNearExpected) {
 // be as large as the real part.
 TEST(Symmetry, TheDrawnSeaIsReal) {
     for (const int n : {16, 64}) {
-        const oracle::Fields fields = oracle::fields_at({.resolution = n, .patch_size_m = 250, .choppiness = 1}, 3.3);
+        const oracle::Fields fields = oracle::fields_at({.resolution = n, .patch_size_m = 250, .choppiness = 1, .lean = 0.5}, 3.3);
         for (const oracle::ComplexField* field : {&fields.height, &fields.dx, &fields.dz}) {
             double real = 0, imaginary = 0;
             for (const oracle::Complex& value : *field) {

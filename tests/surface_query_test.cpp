@@ -285,11 +285,12 @@ TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
 // error of w^3 dt^2 / 6 < 1e-5 of a wave's amplitude up to w = 4 rad/s, which is the limit of this
 // grid.
 TEST(SurfaceQuery, VelocityMatchesTheOraclesDifferenceInTime) {
-    for (const double choppiness : {0.0, 1.0}) {
+    for (const auto& [choppiness, lean] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 0.6}}) {
         const SeaState sea{.resolution = 64,
                            .patch_size_m = 200,
                            .wind_speed_mps = 14,
                            .choppiness = choppiness,
+                           .lean = lean,
                            .loop_period_s = 60};
         const double time_s = 11.5, dt = 1e-3;
         const auto ocean = ocean_with_queries(sea);

@@ -87,6 +87,7 @@ TEST_P(TransformOnEachIsa, RowsAreInverseTransformsWithXAsTheLane) {
                 const float direction = noise();
                 quantity(direction_x) = std::cos(direction);
                 quantity(direction_z) = std::sin(direction);
+                quantity(lean_tangent) = noise() / 4;
                 for (const bool is_minus : {false, true}) {
                     if (is_minus && pair.is_own_negative()) continue;
                     const std::size_t first = is_minus ? minus_cos_re : plus_cos_re;
@@ -95,8 +96,12 @@ TEST_P(TransformOnEachIsa, RowsAreInverseTransformsWithXAsTheLane) {
                     const std::complex<double> h(quantity(first) * c + quantity(first + 2) * sine,
                                                  quantity(first + 1) * c + quantity(first + 3) * sine);
                     const std::complex<double> i_unit(0, 1);
+                    const std::complex<double> quadrature(quantity(first + 2) * c - quantity(first) * sine,
+                                                          quantity(first + 3) * c - quantity(first + 1) * sine);
+                    const std::complex<double> leaning = h + 1.0 * quantity(lean_tangent) * quadrature;
                     const double x = is_minus ? -quantity(direction_x) : quantity(direction_x);
-                    const std::complex<double> dx = i_unit * x * h, dz = i_unit * (1.0 * quantity(direction_z)) * h;
+                    const std::complex<double> dx = i_unit * x * leaning,
+                                               dz = i_unit * (1.0 * quantity(direction_z)) * leaning;
                     const std::size_t p = is_minus ? (size() - position) % size() : position;
                     expected[lane][0][p] = h;
                     expected[lane][1][p] = -(dx + i_unit * dz);

@@ -172,9 +172,14 @@ TEST_P(BlendOnEachIsa, EnergyOfEachWaveIsInterpolated) {
             }
             expected.push_back(packed(both));
         });
-        for (std::size_t pair = 0; pair < pairs; ++pair)
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
             for (std::size_t i = 0; i < 2 * row; ++i)
                 before[(pair * wave_quantities + direction_x) * row + i] = static_cast<float>(uniform(-1, 1));
+            for (AlignedBuffer<float>* const waves : {&before, &after})
+                for (std::size_t i = 0; i < row; ++i)
+                    (*waves)[(pair * wave_quantities + lean_tangent) * row + i] =
+                        pair % 2 == 0 ? 0 : static_cast<float>(uniform(0, 0.6));
+        }
         kernels().blend_waves({before.data(), after.data(), pairs, part, out.data()});
         std::size_t number = 0;
         each_wave([&](std::size_t at) {
@@ -187,10 +192,18 @@ TEST_P(BlendOnEachIsa, EnergyOfEachWaveIsInterpolated) {
                 EXPECT_NEAR(out[at + i * row], expected[number][i], largest * 0x1p-21) << "part " << part;
             ++number;
         });
+        // The direction's length is the cosine of the lean. Without lean no bit changes.
         for (std::size_t pair = 0; pair < pairs; ++pair)
             for (std::size_t i = 0; i < 2 * row; ++i) {
                 const std::size_t at = (pair * wave_quantities + direction_x) * row + i;
-                EXPECT_EQ(out[at], before[at]);
+                const std::size_t lean = (pair * wave_quantities + lean_tangent) * row + i % row;
+                const double from = before[lean], to = (1 - part) * from + part * after[lean];
+                EXPECT_NEAR(out[lean], to, 1e-7);
+                if (pair % 2 == 0) {
+                    EXPECT_EQ(out[at], before[at]);
+                } else {
+                    EXPECT_NEAR(out[at], before[at] * std::cos(std::atan(to)) / std::cos(std::atan(from)), 4e-7);
+                }
             }
     }
 }

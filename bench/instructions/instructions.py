@@ -134,12 +134,12 @@ def rows_of(program, isas, seas):
 
 def compulsory_bytes(sea):
     """Returns the bytes a texel that a frame of textures only moves beyond a cache in which nothing
-    stays from frame to frame: 11 of waves read, and textures fetched and written. Lines of 12 bytes
+    stays from frame to frame: 12 of waves read, and textures fetched and written. Lines of 12 bytes
     are fetched, written and read, too, unless all lines of a cascade fit into the cache with
     everything else."""
     cascades, resolution = map(int, sea.split("x"))
     textures = 8 + (16 / 3 if cascades == 1 else 32 / 3)
-    return 11 + 2 * textures + (36 if resolution > 128 else 0)
+    return 12 + 2 * textures + (36 if resolution > 128 else 0)
 
 
 def bytes_beyond(program, isa, seas, cache_bytes):

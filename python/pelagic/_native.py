@@ -78,6 +78,7 @@ class pelagic_sea(ctypes.Structure):
         ("peak_enhancement", c_double),
         ("depth_m", c_double),
         ("choppiness", c_double),
+        ("lean", c_double),
         ("roughness", c_double),
         ("short_wave_cutoff", c_double),
         ("wind_alignment", c_double),

@@ -94,9 +94,9 @@ class Sea:
     # generated from schema/sea.toml: python-fields
     waves: str = "spectrum"
     """Wave model: "spectrum", "analytic", "pond". Only a spectrum uses spectrum, spreading,
-    fetch_m, depth_m, short_wave_cutoff, wind_alignment, the swell and seed. Only the other models
-    use wave_count and the options after it. All models use the wind, whose direction is that of
-    their waves."""
+    fetch_m, depth_m, lean, short_wave_cutoff, wind_alignment, the swell and seed. Only the other
+    models use wave_count and the options after it. All models use the wind, whose direction is that
+    of their waves."""
     spectrum: str = "jonswap"
     """Wave spectrum: "phillips-paper" (scaled as in VR Ocean, without a swell), "phillips"
     (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
@@ -130,6 +130,9 @@ class Sea:
     of it break."""
     choppiness: float = 0.8
     """Scale of horizontal displacements; [0, 1]. 0 gives a height field."""
+    lean: float = 0.0
+    """Forward displacement of crests, as a fraction of the displacement that sharpens them;
+    [0, 0.6]. It makes fronts steeper than backs. A swell does not lean."""
     roughness: float = -1.0
     """GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
     that the cascades do not resolve in this wind."""

@@ -141,6 +141,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
             const ShownSlope resolved_x = resolved_slope(cascade, m), filtered_x = filtered_slope(cascade, m);
             const double drift = stokes_drift(k, waves.water()) / k;
             const double orbit = orbit_ratio(k, waves.water().depth_m), orbit_square = orbit * orbit;
+            const double lean = waves.lean(k), forward = orbit / std::sqrt(1 + lean * lean);
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
@@ -148,7 +149,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 statistics.height_variance = mirrors * opposites.expected_square();
                 statistics.mean_square_slope = mirrors * opposites.expected_square() * k * k;
                 statistics.mean_square_convergence = statistics.mean_square_slope * orbit_square;
-                statistics.level_m = mirrors * opposites.realised_square() * k * orbit;
+                statistics.level_m = mirrors * opposites.realised_square() * k * forward;
                 const double sign = signed_m == m ? 1 : -1;
                 // Frequency in the frame of drifting foam: foam that moves with a wave meets it
                 // less often.
@@ -185,8 +186,9 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
             const CascadeWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
-            put(direction_x, m / length * orbit);
-            put(direction_z, n / length * orbit);
+            put(direction_x, m / length * forward);
+            put(direction_z, n / length * forward);
+            put(lean_tangent, lean);
             *harmonic = periods;
         }
     }

@@ -60,6 +60,20 @@ PELAGIC_INLINE void blend_wave(const float* before, const float* after, const xs
     put(3, c - a);
 }
 
+/// Blends the leans of W pairs of waves, and scales their directions by the new cosine over that of
+/// `before`.
+template <class Arch>
+PELAGIC_INLINE void blend_leans(const float* before, const float* after, const xsimd::batch<float, Arch>& weight,
+                                float* out) {
+    using V = xsimd::batch<float, Arch>;
+    const V one(1.f), from = V::load_aligned(before + lean_tangent * V::size);
+    const V to = (one - weight) * from + weight * V::load_aligned(after + lean_tangent * V::size);
+    const V cosines = square_root<Arch>(divided<Arch>(one + from * from, one + to * to));
+    to.store_aligned(out + lean_tangent * V::size);
+    for (const std::size_t direction : {direction_x, direction_z})
+        (V::load_aligned(before + direction * V::size) * cosines).store_aligned(out + direction * V::size);
+}
+
 /// Blends one block of both spectra. \param weight_of  returns s of a wave pair, given its index in
 /// the block
 template <class Arch, class Job, class WeightOf>
@@ -75,8 +89,7 @@ PELAGIC_INLINE void blend_block(const Job& job, WeightOf weight_of) {
                          out + plus_cos_re * V::size);
         blend_wave<Arch>(before + minus_cos_re * V::size, after + minus_cos_re * V::size, weight,
                          out + minus_cos_re * V::size);
-        V::load_aligned(before + direction_x * V::size).store_aligned(out + direction_x * V::size);
-        V::load_aligned(before + direction_z * V::size).store_aligned(out + direction_z * V::size);
+        blend_leans<Arch>(before, after, weight, out);
     }
 }
 

@@ -24,6 +24,12 @@ PELAGIC_INLINE Complex<Arch> height_of_wave(const float* packed, const Rotation<
     return {row(0) * rotation.cosine + row(2) * rotation.sine, row(1) * rotation.cosine + row(3) * rotation.sine};
 }
 
+/// Returns the rotation by a phase plus the angle of a lean, over the cosine of the lean.
+template <class Arch>
+PELAGIC_INLINE Rotation<Arch> leaning(const Rotation<Arch>& phase, const xsimd::batch<float, Arch>& tangent) {
+    return {phase.sine + tangent * phase.cosine, phase.cosine - tangent * phase.sine};
+}
+
 /// Returns the factors of a wave's S'_xy and S'_zw for its height: cosine and sine of its phase.
 template <class Arch>
 struct HeightOfWaves {
@@ -53,26 +59,31 @@ struct VelocityOfWaves {
     V first_frequency, minus_first_frequency;
 };
 
-/// Executes the first step of the three transforms on the waves of one group, whose heights are
-/// `h`.
+/// The waves of one group: h and d of EvolveRowsJob, where the direction has the cosine of the lean.
+template <class Arch, std::size_t Radix>
+struct EvolvedGroup {
+    Complex<Arch> h[Radix], d[Radix];
+};
+
+/// Executes the first step of the three transforms on the waves of one group.
 /// \param wave  wave(s) returns the quantities of wave s
 /// \param mirrored  true if the group has the waves (-kx, kz)
 ///
-/// The products of i h with the directions along x and z are (-x_im, x_re) and (-z_im, z_re). They
+/// The products of i d with the directions along x and z are (-x_im, x_re) and (-z_im, z_re). They
 /// give P = -(Dx + i Dz), R = -i (Dx - i Dz).
 template <class Arch, std::size_t Radix, class Wave>
-PELAGIC_INLINE void first_step(const Complex<Arch> (&h)[Radix], Wave wave, bool mirrored, float* to) {
+PELAGIC_INLINE void first_step(const EvolvedGroup<Arch, Radix>& group, Wave wave, bool mirrored, float* to) {
     using V = xsimd::batch<float, Arch>;
     using C = Complex<Arch>;
     constexpr std::size_t point = 2 * V::size, element = fields * point;
-    butterfly<Arch, Radix>([&](std::size_t s) { return h[s]; }, OutputsApart<Arch>{to + field_h * point, element});
+    butterfly<Arch, Radix>([&](std::size_t s) { return group.h[s]; }, OutputsApart<Arch>{to + field_h * point, element});
     C p[Radix], r[Radix];
     for (std::size_t s = 0; s < Radix; ++s) {
         const V along = V::load_aligned(wave(s) + direction_x * V::size);
         const V x = mirrored ? V(0.f) - along : along;
         const V z = V::load_aligned(wave(s) + direction_z * V::size);
-        const V x_re = x * h[s].re, x_im = x * h[s].im;
-        const V z_re = z * h[s].re, z_im = z * h[s].im;
+        const V x_re = x * group.d[s].re, x_im = x * group.d[s].im;
+        const V z_re = z * group.d[s].re, z_im = z * group.d[s].im;
         p[s] = {x_im + z_re, z_im - x_re};
         r[s] = {x_re + z_im, x_im - z_re};
     }
@@ -94,12 +105,16 @@ PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& 
     const auto plus_wave = [waves](std::size_t s) { return waves + s * pair_floats; };
     const auto minus_wave = [waves](std::size_t s) { return waves + (Radix - 1 - s) * pair_floats; };
 
-    Complex<Arch> plus[Radix], minus[Radix];
+    EvolvedGroup<Arch, Radix> plus, minus;
     for (std::size_t s = 0; s < Radix; ++s) {
+        const float* const wave = plus_wave(s);
         const Rotation<Arch> rotation = of_waves(U::load_aligned(harmonics + s * V::size));
-        plus[s] = height_of_wave<Arch>(plus_wave(s) + plus_cos_re * V::size, rotation);
-        if (HasNegatives)
-            minus[Radix - 1 - s] = height_of_wave<Arch>(plus_wave(s) + minus_cos_re * V::size, rotation);
+        const Rotation<Arch> leant = leaning<Arch>(rotation, V::load_aligned(wave + lean_tangent * V::size));
+        plus.h[s] = height_of_wave<Arch>(wave + plus_cos_re * V::size, rotation);
+        plus.d[s] = height_of_wave<Arch>(wave + plus_cos_re * V::size, leant);
+        if (!HasNegatives) continue;
+        minus.h[Radix - 1 - s] = height_of_wave<Arch>(wave + minus_cos_re * V::size, rotation);
+        minus.d[Radix - 1 - s] = height_of_wave<Arch>(wave + minus_cos_re * V::size, leant);
     }
     const GroupPair pair = job.fft->pairs[number];
     first_step<Arch>(plus, plus_wave, false, data + job.fft->positions[pair.plus] * element);

@@ -24,8 +24,11 @@ struct FftTables;
 
 /// Stages `evolve` and `rows`: evaluates one block of lines at a moment of the loop, transforms it
 /// along x and transposes it, so that x becomes the lane.
-///   h = S'_xy cos + S'_zw sin                                        VR Ocean, equation 24
-///   P = -i (kx + i kz)/|k| h, R = (kx - i kz)/|k| h                  equation 30, both axes in one
+///   h = S'_xy cos(phase) + S'_zw sin(phase)                          VR Ocean, equation 24
+///   P = -i (kx + i kz)/|k| d, R = (kx - i kz)/|k| d                  equation 30, both axes in one
+/// In the paper d is h. Here it is h at the phase plus b, the angle of the lean: cos b times h, plus
+/// sin b times the quadrature of h in time. That displaces crests along their own direction, so
+/// that fronts are steeper than backs, and keeps the length of the displacement.
 /// Stack: 24 N W bytes, where W is the number of lanes of the instruction set.
 struct EvolveRowsJob {
     const float* waves;              ///< the block of PackedSpectrum::waves
@@ -45,8 +48,9 @@ struct EvolveRowsJob {
 /// becomes
 ///   sign sqrt((1 - s) before^2 + s after^2),
 /// which blends the energies linearly and keeps the random draws. Where the signs differ (waves
-/// without a random draw), it becomes (1 - s) before + s after. Both spectra have the waves of the
-/// same grid.
+/// without a random draw), it becomes (1 - s) before + s after. So does the
+/// tangent of the lean, whose cosine scales the directions. Both spectra have the waves of the same
+/// grid.
 struct BlendWavesJob {
     /// Scale applied before squaring: the square of the smallest amplitude, 1e-20 m, underflows a
     /// float. A power of two leaves the mantissa unchanged.

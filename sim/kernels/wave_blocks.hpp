@@ -38,8 +38,9 @@ enum WaveQuantity {
     minus_cos_im,
     minus_sin_re,
     minus_sin_im,
-    direction_x,  ///< k / |k| of (kx, kz) times orbit_ratio()
+    direction_x,  ///< k / |k| of (kx, kz) times orbit_ratio() and the cosine of the lean
     direction_z,
+    lean_tangent,  ///< tan b of EvolveRowsJob
     wave_quantities
 };
 

@@ -40,6 +40,9 @@ class CascadeWaves {
     /// Returns depth and surface tension for the dispersion relation.
     const Water& water() const { return spectrum_ ? spectrum_->water() : deep_water; }
 
+    /// Returns the lean of waves of wave number k in rad/m, 0 for listed waves.
+    double lean(double k) const { return spectrum_ ? spectrum_->lean(k) : 0; }
+
     /// Returns whether (m, n) is a wave. DC (VR Ocean, equation 14) and the Nyquist row and column
     /// hold no waves: N/2 and -N/2 are one grid index, so the direction of propagation is
     /// ambiguous.

@@ -24,6 +24,7 @@ constexpr SeaStateField sea_state_field_table[] = {
     {"peak_enhancement", &SeaState::peak_enhancement, 1, 10, "[1, 10]"},
     {"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
     {"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
+    {"lean", &SeaState::lean, 0, 0.6, "[0, 0.6]"},
     {"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Restriction::none, -1},
     {"short_wave_cutoff", &SeaState::short_wave_cutoff, 0, 1, "[0, 1]"},
     {"wind_alignment", &SeaState::wind_alignment, 0, 1, "[0, 1]"},

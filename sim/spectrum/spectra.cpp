@@ -117,6 +117,12 @@ double WaveSpectrum::radial_density(double k) const {
     return swell_variance_ > 0 ? wind_density(k) + swell_density(k) : wind_density(k);
 }
 
+double WaveSpectrum::lean(double k) const {
+    if (sea_.lean == 0 || swell_variance_ == 0) return sea_.lean;
+    const double wind = wind_density(k), all = wind + swell_density(k);
+    return all > 0 ? sea_.lean * (wind / all) : 0;
+}
+
 double WaveSpectrum::wind_density(double k) const {
     if (sea_.spectrum == SpectrumModel::phillips) {
         // The shape of equation 3 with Phillips' constant: alpha/2 k^-3 is the saturation range of

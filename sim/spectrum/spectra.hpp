@@ -72,6 +72,10 @@ class WaveSpectrum {
     /// times the depth.
     double kept_after_breaking() const { return kept_; }
 
+    /// Returns the lean of waves of wave number k in rad/m: SeaState::lean times the wind sea's
+    /// fraction of their energy, because a swell is symmetric.
+    double lean(double k) const;
+
     const Water& water() const { return water_; }
 
     /// Returns false for phillips-paper.

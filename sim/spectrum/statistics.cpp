@@ -158,10 +158,11 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Contents conte
             const double horizontal = sea.choppiness * orbit_ratio(k, water.depth_m) * k;
             sums.add_expected(omega / two_pi, here.expected);
             sums.expected_convergence += here.expected * (horizontal * horizontal);
-            sums.expected_level += here.expected * horizontal;
+            const double lean = waves.lean(k), sharpening = horizontal / std::sqrt(1 + lean * lean);
+            sums.expected_level += here.expected * sharpening;
             if (!(here.realised > 0)) continue;
             sums.realised_convergence += here.realised * (horizontal * horizontal);
-            sums.realised_level += here.realised * horizontal;
+            sums.realised_level += here.realised * sharpening;
             sums.add_realised(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.realised,
                               here.realised_swell);
         }

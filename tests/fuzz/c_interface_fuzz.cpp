@@ -63,7 +63,8 @@ pelagic_sea any_sea(Bytes& bytes) {
     double* const fields[] = {
         &sea.patch_size_m,   &sea.wind_speed_mps, &sea.wind_direction_rad,  &sea.fetch_m,         &sea.depth_m,
         &sea.choppiness,     &sea.roughness,      &sea.short_wave_cutoff,   &sea.wind_alignment,  &sea.loop_period_s,
-        &sea.swell_height_m, &sea.swell_period_s, &sea.swell_direction_rad, &sea.swell_spread_rad};
+        &sea.swell_height_m, &sea.swell_period_s, &sea.swell_direction_rad, &sea.swell_spread_rad,
+        &sea.lean};
     for (int changes = bytes.take<std::uint8_t>() % 4; changes > 0; --changes)
         *fields[bytes.take<std::uint8_t>() % std::size(fields)] = bytes.number();
     if (bytes.take<std::uint8_t>() == 255) {

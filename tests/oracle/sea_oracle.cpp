@@ -180,6 +180,44 @@ double density(const SeaState& sea, double kx, double kz) {
     return breaking_factor(sea) * unbroken_density(sea, kx, kz);
 }
 
+Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, breaking_factor(sea), m, n); }
+
+namespace {
+
+/// The parts of h~(k, t) that run along k and against it.
+struct RunningWave {
+    Complex along, against;
+};
+
+std::vector<RunningWave> running_waves_at(const SeaState& sea, double time_s) {
+    const int n = sea.resolution;
+    const std::size_t side = static_cast<std::size_t>(n);
+    const double turns_of_loop = time_s / sea.loop_period_s;
+    const double attenuation = breaking_factor(sea);
+    std::vector<RunningWave> waves(side * side);
+    for (std::size_t j = 0; j < side; ++j) {
+        for (std::size_t i = 0; i < side; ++i) {
+            const int kx = wave_number(i, n), kz = wave_number(j, n);
+            if (kx == -n / 2 || kz == -n / 2) continue;
+            const double k = 2 * pi / sea.patch_size_m * std::hypot(kx, kz);
+            const double q = std::max(1.0, std::floor(frequency_of(sea, k) * sea.loop_period_s / (2 * pi) + 0.5));
+            const double phase = 2 * pi * std::fmod(q * std::fmod(turns_of_loop, 1.0), 1.0);
+            waves[j * side + i] = {amplitude(sea, attenuation, kx, kz) * std::polar(1.0, -phase),
+                                   std::conj(amplitude(sea, attenuation, -kx, -kz)) * std::polar(1.0, phase)};
+        }
+    }
+    return waves;
+}
+
+/// Returns the angle of the lean: that of the wind sea's energy among all of this wave number.
+double lean_rad(const SeaState& sea, double k) {
+    if (sea.swell_height_m == 0) return std::atan(sea.lean);
+    const double wind = wind_radial(sea, k), swell = swell_radial(sea, k);
+    return std::atan(sea.lean * (wind + swell > 0 ? wind / (wind + swell) : 0));
+}
+
+}  // namespace
+
 double mean_level(const SeaState& sea) {
     const int n = sea.resolution;
     const double attenuation = breaking_factor(sea);
@@ -189,54 +227,44 @@ double mean_level(const SeaState& sea) {
             if (kx == 0 && kz == 0) continue;
             const double k = 2 * pi / sea.patch_size_m * std::hypot(kx, kz);
             const double a = 2 * std::abs(amplitude(sea, attenuation, kx, kz));  // h = a cos(k.x - w t)
-            sum += k * std::min(20.0, 1 / std::tanh(k * sea.depth_m)) * a * a / 2;
+            sum += std::cos(lean_rad(sea, k)) * k * std::min(20.0, 1 / std::tanh(k * sea.depth_m)) * a * a / 2;
         }
     return sea.choppiness * sum;
 }
 
-Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, breaking_factor(sea), m, n); }
-
 ComplexField spectrum_at(const SeaState& sea, double time_s) {
-    const int n = sea.resolution;
-    const std::size_t side = static_cast<std::size_t>(n);
-    const double turns_of_loop = time_s / sea.loop_period_s;
-    const double attenuation = breaking_factor(sea);
-    ComplexField waves(side * side);
-    for (std::size_t j = 0; j < side; ++j) {
-        for (std::size_t i = 0; i < side; ++i) {
-            const int kx = wave_number(i, n), kz = wave_number(j, n);
-            if (kx == -n / 2 || kz == -n / 2) continue;
-            const double k = 2 * pi / sea.patch_size_m * std::hypot(kx, kz);
-            const double q = std::max(1.0, std::floor(frequency_of(sea, k) * sea.loop_period_s / (2 * pi) + 0.5));
-            const double phase = 2 * pi * std::fmod(q * std::fmod(turns_of_loop, 1.0), 1.0);
-            waves[j * side + i] = amplitude(sea, attenuation, kx, kz) * std::polar(1.0, -phase) +
-                                  std::conj(amplitude(sea, attenuation, -kx, -kz)) * std::polar(1.0, phase);
-        }
-    }
+    ComplexField waves;
+    for (const RunningWave& wave : running_waves_at(sea, time_s)) waves.push_back(wave.along + wave.against);
     return waves;
 }
 
+// A wave a cos(phase) is displaced along its own direction by
+// choppiness (cos b (-sin(phase)) + sin b cos(phase)) a, where b is the angle of the lean.
 Fields fields_at(const SeaState& sea, double time_s) {
     const int n = sea.resolution;
     const std::size_t side = static_cast<std::size_t>(n);
-    ComplexField waves = spectrum_at(sea, time_s);
-    ComplexField along_x(waves.size()), along_z(waves.size());
+    const std::vector<RunningWave> waves = running_waves_at(sea, time_s);
+    ComplexField heights(waves.size()), along_x(waves.size()), along_z(waves.size());
     for (std::size_t j = 0; j < side; ++j) {
         for (std::size_t i = 0; i < side; ++i) {
             const double kx = wave_number(i, n), kz = wave_number(j, n);
             const double length = std::hypot(kx, kz);
             if (length == 0) continue;
-            const double kd = 2 * pi / sea.patch_size_m * length * sea.depth_m;
+            const double k = 2 * pi / sea.patch_size_m * length;
             // Airy theory: ratio of horizontal to vertical displacement
-            const double orbit = std::min(20.0, 1 / std::tanh(kd));
-            const Complex horizontal = Complex(0, sea.choppiness * orbit) * waves[j * side + i];
-            along_x[j * side + i] = kx / length * horizontal;
-            along_z[j * side + i] = kz / length * horizontal;
+            const double orbit = std::min(20.0, 1 / std::tanh(k * sea.depth_m)), b = lean_rad(sea, k);
+            const auto [along, against] = waves[j * side + i];
+            const Complex forward =
+                sea.choppiness * orbit *
+                (std::cos(b) * Complex(0, 1) * (along + against) + std::sin(b) * (along - against));
+            heights[j * side + i] = along + against;
+            along_x[j * side + i] = kx / length * forward;
+            along_z[j * side + i] = kz / length * forward;
         }
     }
-    waves[0] = mean_level(sea);
+    heights[0] = mean_level(sea);
     const auto transform = n <= 64 ? naive_inverse_dft : inverse_fft;
-    return {transform(waves, n), transform(along_x, n), transform(along_z, n)};
+    return {transform(heights, n), transform(along_x, n), transform(along_z, n)};
 }
 
 }  // namespace pelagic::oracle

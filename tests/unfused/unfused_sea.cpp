@@ -137,11 +137,13 @@ void UnfusedSea::spectrum() {
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
             const double tanh_kd = det::tanh(length * spacing * sea_.depth_m), coth_kd = std::min(1 / tanh_kd, 20.0);
-            level += (n == 0 ? 1 : 2) * (std::norm(along) + std::norm(against)) * k * coth_kd;
+            const double forward = coth_kd / std::sqrt(1 + sea_.lean * sea_.lean);
+            level += (n == 0 ? 1 : 2) * (std::norm(along) + std::norm(against)) * k * forward;
             waves_.push_back(
                 {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
                  static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real()),
-                 static_cast<float>(m / length * coth_kd), static_cast<float>(n / length * coth_kd),
+                 static_cast<float>(m / length * forward), static_cast<float>(n / length * forward),
+                 static_cast<float>(sea_.lean),
                  loop_harmonic(angular_frequency(length * spacing, sea_.depth_m), sea_.loop_period_s)});
         }
     }
@@ -152,10 +154,15 @@ void UnfusedSea::evolve(std::uint32_t fraction) {
     for (std::size_t i = 0; i < waves_.size(); ++i) {
         const Wave& wave = waves_[i];
         const Rotation rotation = rotation_of_turns(wave.harmonic * fraction);
-        const Complex h{wave.cos_re * rotation.cosine + wave.sin_re * rotation.sine,
-                        wave.cos_im * rotation.cosine + wave.sin_im * rotation.sine};
-        const float x_re = wave.direction_x * h.re, x_im = wave.direction_x * h.im;
-        const float z_re = wave.direction_z * h.re, z_im = wave.direction_z * h.im;
+        const Rotation leaning{rotation.sine + wave.lean_tangent * rotation.cosine,
+                               rotation.cosine - wave.lean_tangent * rotation.sine};
+        const auto at = [&](const Rotation& by) {
+            return Complex{wave.cos_re * by.cosine + wave.sin_re * by.sine,
+                           wave.cos_im * by.cosine + wave.sin_im * by.sine};
+        };
+        const Complex h = at(rotation), d = at(leaning);
+        const float x_re = wave.direction_x * d.re, x_im = wave.direction_x * d.im;
+        const float z_re = wave.direction_z * d.re, z_im = wave.direction_z * d.im;
         fields_.h[i] = h;
         fields_.p[i] = {x_im + z_re, z_im - x_re};
         fields_.r[i] = {x_re + z_im, x_im - z_re};

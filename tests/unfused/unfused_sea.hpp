@@ -28,7 +28,7 @@ class UnfusedSea {
    private:
     struct Wave {
         float cos_re, cos_im, sin_re, sin_im;  ///< S'
-        float direction_x, direction_z;
+        float direction_x, direction_z, lean_tangent;
         std::uint32_t harmonic;
     };
     /// Row n holds kz = n, by kx at first and by x later: N/2 rows of N.

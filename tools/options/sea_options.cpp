@@ -47,6 +47,7 @@ constexpr SeaFlag sea_flags[] = {
      help_group::sea, Needs::jonswap, "", ""},
     {"depth", "depth_m", "water depth in metres", help_group::sea, Needs::nothing, "", ""},
     {"choppiness", "choppiness", "scale of horizontal displacement", help_group::sea, Needs::no_pond, "", ""},
+    {"lean", "lean", "forward displacement of crests", help_group::sea, Needs::spectrum, "", ""},
     {"roughness", "roughness", "roughness of unresolved waves",
      help_group::sea, Needs::nothing, "wind", "[0, 1] or wind"},
     {"short-wave-cutoff", "short_wave_cutoff", "damping of short waves", help_group::sea, Needs::spectrum, "", ""},

@@ -177,7 +177,7 @@ namespace Pelagic
     {
         internal uint struct_size;
         /// <summary>
-        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, DepthM,
+        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, DepthM, lean,
         /// ShortWaveCutoff, WindAlignment, the swell and seed. Only the other models use WaveCount and the options
         /// after it. All models use the wind, whose direction is that of their waves.
         /// </summary>
@@ -229,6 +229,11 @@ namespace Pelagic
         public double DepthM;
         /// <summary>scale of horizontal displacements; [0, 1]. 0 gives a height field</summary>
         public double Choppiness;
+        /// <summary>
+        /// Forward displacement of crests, as a fraction of the displacement that sharpens them; [0, 0.6]. It makes
+        /// fronts steeper than backs. A swell does not lean.
+        /// </summary>
+        public double Lean;
         /// <summary>
         /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the
         /// cascades do not resolve in this wind.

@@ -52,7 +52,7 @@ export interface SeaOptions {
   preset?: string;
   // generated from schema/sea.toml: properties
   /**
-   * Wave model. Only a spectrum uses spectrum, spreading, fetchM, depthM, shortWaveCutoff,
+   * Wave model. Only a spectrum uses spectrum, spreading, fetchM, depthM, lean, shortWaveCutoff,
    * windAlignment, the swell and seed. Only the other models use waveCount and the options after
    * it. All models use the wind, whose direction is that of their waves. Default "spectrum".
    */
@@ -109,6 +109,11 @@ export interface SeaOptions {
   depthM?: number;
   /** Scale of horizontal displacements: [0, 1]. 0 gives a height field. Default 0.8. */
   choppiness?: number;
+  /**
+   * Forward displacement of crests, as a fraction of the displacement that sharpens them:
+   * [0, 0.6]. It makes fronts steeper than backs. A swell does not lean. Default 0.
+   */
+  lean?: number;
   /**
    * GGX roughness of unresolved waves, for the smoothness channel: [0, 1], or -1: from the wind.
    * Default -1: from the slopes that the cascades do not resolve in this wind.
