@@ -217,6 +217,8 @@ pelagic_cascade c_cascade_of(const Cascade& cascade) {
     out.drift_columns = cascade.drift_columns;
     out.drift_rows = cascade.drift_rows;
     out.compression_scale = cascade.compression_scale;
+    out.compression_front_x = cascade.compression_front_x;
+    out.compression_front_z = cascade.compression_front_z;
     return out;
 }
 

@@ -578,7 +578,9 @@ typedef struct pelagic_cascade {
     uint32_t level_offset[12];        /* first texel of level m in each chain */
     pelagic_bounds bounds;
     float slope_range, variance_range;
-    float compression_scale; /* q over -(D_xx + D_zz) of this cascade: the compression of slopes_rgba8 */
+    /* The compression of slopes_rgba8: q over -(D_xx + D_zz + front_x h_x + front_z h_z) of this cascade, and the
+     * front, which all cascades share. */
+    float compression_scale, compression_front_x, compression_front_z;
 } pelagic_cascade;
 
 /* Starts a frame and returns immediately.

@@ -101,7 +101,8 @@ struct Cascade {
     CascadeGrid grid;
     /// Height in metres that all texels contain, so that the mean at fixed places of the world is 0
     /// over a loop: displacement moves water towards crests, which would lower that mean. It is
-    /// choppiness times the sum of k coth(k d) a^2 / 2 over the waves of the cascade.
+    /// choppiness times the sum of cos b k coth(k d) a^2 / 2 over the waves of the cascade, where b is
+    /// the angle of their lean.
     float level_m = 0;
     /// Metres, in the world's axes. Without data if OceanOptions::planes is off.
     PlaneView dx, height, dz;
@@ -134,8 +135,9 @@ struct Cascade {
     /// in the frame of drifting foam. Water at texel (i, j) has the compression of texel
     /// (i - drift_columns, j - drift_rows).
     double drift_columns = 0, drift_rows = 0;
-    /// -q over Dx,x + Dz,z of this cascade (snapshot_foam.hpp); 0 if its waves make no foam.
-    float compression_scale = 0;
+    /// -q over Dx,x + Dz,z + front . grad h of this cascade (snapshot_foam.hpp), 0 if its waves make no
+    /// foam, and the front, which all cascades share.
+    float compression_scale = 0, compression_front_x = 0, compression_front_z = 0;
     /// Variance of h_x plus variance of h_z over the whole cascade, as in the last level of the
     /// chains; 0 without slopes. It is also set if the chains are in memory of the application
     /// (texture_targets.hpp).

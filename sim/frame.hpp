@@ -32,6 +32,8 @@ struct SeaStatistics {
     /// Drift velocity of foam in the world's axes, m/s: by the wind and by the waves (Stokes'
     /// drift).
     double foam_drift_x_mps = 0, foam_drift_z_mps = 0;
+    /// Factors of h_x and h_z in the compression (snapshot_foam.hpp), in proportion to the choppiness.
+    double foam_front_x = 0, foam_front_z = 0;
     /// Standard deviation of the weighted compression of all cascades (snapshot_foam.hpp), and the
     /// number of deviations at which half of the water is white. The level is no_foam_level if the
     /// sea has no whitecaps.

@@ -4,12 +4,14 @@
 // cascade. Each cascade therefore holds bytes of its own compression, now and at 16 past moments,
 // and the reader adds the cascades moment by moment:
 //
-//   q_i(x, t) = -w_i (Dx,x + Dz,z) / sigma                     of cascade i, Cascade::compression
+//   q_i(x, t) = -w_i (Dx,x + Dz,z + front . grad h) / sigma    of cascade i
 //   S_k(x) = sum_i q_i(x - v (t - t_k), t_k)                   v: the drift of the foam
 //   foam(x) = max_k [clamp(1/2 + (S_k - level) / ramp, 0, 1) - age_k]
 //
-// The trace of the gradient is used instead of the Jacobian, because it adds over cascades. sigma
-// is the standard deviation of the sum of the w_i (Dx,x + Dz,z), so that S is a normal variable,
+// The trace of the gradient is used instead of the Jacobian, because it adds over cascades. The front
+// is a factor along the wind, 0 without lean, which moves foam from crests towards the faces in front
+// of them (spectrum/foam_front.hpp). sigma is the standard deviation of the sum of the
+// w_i (Dx,x + Dz,z + front . grad h), so that S is a normal variable,
 // and the level follows from the whitecap cover in closed form (foam/accumulation.hpp). Foam of 1
 // is breaking now; foam of 1/2 broke about 1.4 s ago.
 #pragma once

@@ -85,6 +85,8 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
             EXPECT_EQ(c.slope_range, cascade.slope_ranges.slope);
             EXPECT_EQ(c.variance_range, cascade.slope_ranges.variance);
             EXPECT_EQ(c.compression_scale, cascade.compression_scale);
+            EXPECT_EQ(c.compression_front_x, cascade.compression_front_x);
+            EXPECT_EQ(c.compression_front_z, cascade.compression_front_z);
             expect_same(c.dx, cascade.dx);
             expect_same(c.height, cascade.height);
             expect_same(c.dz, cascade.dz);

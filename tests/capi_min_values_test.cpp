@@ -58,7 +58,8 @@ void look_at(const pelagic_cascade& cascade, Findings& found) {
     found.halves("half", cascade.displacement_rgba16f, 4 * texels);
     found.bounds(cascade.bounds);
     found.number("side_m", cascade.side_m);
-    for (const float number : {cascade.slope_range, cascade.variance_range, cascade.compression_scale})
+    for (const float number : {cascade.slope_range, cascade.variance_range, cascade.compression_scale,
+                               cascade.compression_front_x, cascade.compression_front_z})
         found.number("figure of a cascade", static_cast<double>(number));
 }
 

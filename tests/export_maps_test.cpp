@@ -23,9 +23,10 @@ namespace {
 using nlohmann::json;
 
 // A gale at short fetch. The second cascade is rotated.
-const SeaState mapped_gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 400, .loop_period_s = 8};
+const SeaState mapped_gale{
+    .cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 400, .lean = 0.3, .loop_period_s = 8};
 const Arguments mapped_gale_flags = {"--cascades", "2",   "--resolution",  "32", "--wind-speed", "20",
-                                     "--fetch",    "400", "--loop-period", "8"};
+                                     "--fetch",    "400", "--lean",        "0.3", "--loop-period", "8"};
 
 Outcome run_mapped_gale(const Arguments& arguments, const Arguments& more = {}) {
     return run_pelagic(joined(joined(arguments, mapped_gale_flags), more));
@@ -59,6 +60,8 @@ Truth truth_at(const Cascade& cascade, int i, int j) {
             (near * (at(i, j + 1) - at(i, j - 1)) + far * (at(i, j + 2) - at(i, j - 2))) / cascade.texel_m());
     };
     const double trace = wide(cascade.dx).along + wide(cascade.dz).across;
+    const double front = double{cascade.compression_front_x} * wide(cascade.height).along +
+                         double{cascade.compression_front_z} * wide(cascade.height).across;
     const CascadeGrid::Vector dx = slopes(cascade.dx), h = slopes(cascade.height), dz = slopes(cascade.dz);
     const Vector along_x{1 + dx.along, h.along, dz.along}, along_z{dx.across, h.across, 1 + dz.across};
     const Vector normal{along_z.y * along_x.z - along_z.z * along_x.y, along_z.z * along_x.x - along_z.x * along_x.z,
@@ -71,7 +74,7 @@ Truth truth_at(const Cascade& cascade, int i, int j) {
             .jacobian = normal.y,
             .h_x = h.along,
             .h_z = h.across,
-            .compression = -double{cascade.compression_scale} * trace};
+            .compression = -double{cascade.compression_scale} * (trace + front)};
 }
 
 /// Reference positions of texels, from the layout alone, in Pelagic's x and z.

@@ -18,7 +18,7 @@ namespace {
 
 // A gale and a storm, with a large whitecap cover. Finer cascades are rotated against world axes.
 const SeaState gale_of_four_cascades{
-    .cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7};
+    .cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7, .lean = 0.4};
 const SeaState storm_on_one_cascade{
     .resolution = 64, .patch_size_m = 120, .wind_speed_mps = 25, .wind_direction_rad = 2.5};
 

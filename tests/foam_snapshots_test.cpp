@@ -33,10 +33,15 @@ struct HandWave {
 
     double length() const { return std::hypot(k_x, k_z); }
     double phase_at(double x, double z, double t) const { return k_x * x + k_z * z - frequency_radps * t + phase; }
-    /// -(Dx,x + Dz,z) of the horizontal displacement -k/|k| A sin(phase).
+    double front_slope() const { return front_x * k_x + front_z * k_z; }
+    /// -(Dx,x + Dz,z) of the horizontal displacement -k/|k| A sin(phase), less the front times the
+    /// slope of the height A cos(phase).
     double compression(double x, double z, double t) const {
-        return amplitude_m * length() * std::cos(phase_at(x, z, t));
+        const double phase = phase_at(x, z, t);
+        return amplitude_m * (length() * std::cos(phase) + front_slope() * std::sin(phase));
     }
+
+    static constexpr double front_x = 0.25, front_z = -0.15;
 };
 
 /// Two cascades of 48 waves, the second of them rotated, and their compression in closed form.
@@ -58,7 +63,8 @@ class HandSea {
                 {cascade, k.along, k.across, 0.02 / length, std::sqrt(9.81 * length), two_pi_in_double * uniform()});
         }
         double square = 0;
-        for (const HandWave& wave : waves_) square += std::pow(wave.amplitude_m * wave.length(), 2) / 2;
+        for (const HandWave& wave : waves_)
+            square += std::pow(wave.amplitude_m * std::hypot(wave.length(), wave.front_slope()), 2) / 2;
         deviation_ = std::sqrt(square);
     }
 
@@ -74,9 +80,10 @@ class HandSea {
             for (int i = 0; i < n; ++i) {
                 const CascadeGrid& grid = grids[cascade];
                 const CascadeGrid::Vector at = grid.in_world(i * grid.side_m / n, j * grid.side_m / n);
-                double dx = 0, dz = 0;
+                double dx = 0, height = 0, dz = 0;
                 for (const HandWave& wave : waves_) {
                     if (wave.cascade != cascade) continue;
+                    height += wave.amplitude_m * std::cos(wave.phase_at(at.along, at.across, t));
                     const double along = -wave.amplitude_m * std::sin(wave.phase_at(at.along, at.across, t));
                     dx += along * wave.k_x / wave.length();
                     dz += along * wave.k_z / wave.length();
@@ -85,6 +92,7 @@ class HandSea {
                 float* const texel = surface + column / lanes * column_block_floats(n, lanes) +
                                      static_cast<std::size_t>(j) * surface_components * lanes + column % lanes;
                 texel[surface_dx * lanes] = static_cast<float>(dx);
+                texel[surface_height * lanes] = static_cast<float>(height);
                 texel[surface_dz * lanes] = static_cast<float>(dz);
             }
     }
@@ -127,11 +135,13 @@ TEST_P(FoamSnapshotsOnEachIsa, ResolveTheFoamOfKnownWaves) {
         drift_mps[cascade] = grid.in_world(loop.x * texel_m / 200, loop.z * texel_m / 200);
         slots.cascade(cascade).grid = grid;
         slots.cascade(cascade).compression_scale = scale;
+        slots.cascade(cascade).compression_front_x = HandWave::front_x;
+        slots.cascade(cascade).compression_front_z = HandWave::front_z;
     }
     const std::int64_t last = 1066;  // near the end of a loop of 1,072 ticks
     for (std::int64_t number = last - 15; number <= last; ++number) {
         for (std::size_t cascade = 0; cascade < 2; ++cascade) {
-            snapshots.begin_tick(cascade, HandSea::grids[cascade], scale, clock, number);
+            snapshots.begin_tick(cascade, slots.cascade(cascade), clock, number);
             sea.fill(cascade, clock.time_s(number), slots.buffers(cascade).surface.data(), lanes);
         }
         run->schedule();

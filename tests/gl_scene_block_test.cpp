@@ -92,6 +92,8 @@ TEST(SceneBlock, DescribesTheSnapshotsOfAFrame) {
         facts.has_foam = has_foam;
         const gl::SceneBlock block = gl::scene_block_of({.eyes = {}, .list = &list}, facts, {}, {});
         EXPECT_EQ(block.foam_kind.x, has_foam ? frame.foam.level : 1000);
+        EXPECT_EQ(block.foam_front.x, frame.cascades[0].compression_front_x);
+        EXPECT_EQ(block.foam_front.y, frame.cascades[0].compression_front_z);
         for (std::size_t i = 0; i < block.foam_cascade.size(); ++i) {
             const Cascade& cascade = frame.cascades[i];
             EXPECT_EQ(block.foam_cascade[i].w, 1);

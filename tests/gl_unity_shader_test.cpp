@@ -285,6 +285,7 @@ class Scene {
         program.set_all("_PelagicFoamCascade", block_.foam_cascade, 3);
         program.set_all("_PelagicFoamAge", block_.foam_age, 2);
         program.set("_PelagicFoamKind", block_.foam_kind);
+        program.set("_PelagicFoamFront", block_.foam_front);
         program.set("_PelagicViewer", {0, 0, 0, -block_.viewer.z});
         program.set("_PelagicGrid", block_.grid);
         program.set("_PelagicFade", block_.fade);

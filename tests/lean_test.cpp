@@ -134,14 +134,78 @@ TEST(Lean, VelocityIsThatOfTheDrawnSurface) {
     double error = 0, square = 0;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
         const double up = now.normal_y[i];
-        const double moves = double{now.velocity_x[i]} * now.normal_x[i] + double{now.velocity_z[i]} * now.normal_z[i];
-        const double rises = now.velocity_y[i] + moves / up;
+        const double moves_x = double{now.velocity_x[i]} * now.normal_x[i];
+        const double moves_z = double{now.velocity_z[i]} * now.normal_z[i];
+        const double rises = now.velocity_y[i] + (moves_x + moves_z) / up;
         const double measured = (double{after.height[i]} - double{before.height[i]}) / (2 * dt);
         error += (rises - measured) * (rises - measured);
         square += measured * measured;
     }
     std::printf("relative error %.1e\n", std::sqrt(error / square));
     EXPECT_LT(std::sqrt(error / square), 2e-3);
+}
+
+/// Positions that fill a square of 20 km evenly (Roberts 2018), others for each number of a frame.
+template <class Visit>
+void for_places(int frame, Visit visit) {
+    constexpr int places = 3000;
+    const auto part_of = [](double turns) { return 20'000 * (turns - std::floor(turns)); };
+    for (int place = frame * places; place < (frame + 1) * places; ++place)
+        visit(part_of(place * 0.7548776662466927), part_of(place * 0.5698402909980532));
+}
+
+/// Returns the fraction of the area of foam above 0.9 that is where the drawn slope along the wind
+/// falls.
+double foam_on_fronts(SeaState sea, int seeds, int frames) {
+    const double wind_x = std::cos(sea.wind_direction_rad), wind_z = std::sin(sea.wind_direction_rad);
+    double white = 0, front = 0;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        sea.seed = static_cast<std::uint32_t>(seed);
+        Ocean ocean(sea, {.executor = make_serial_executor(), .slopes = true, .foam = true});
+        for (int number = 0; number < frames; ++number) {
+            // At all ages of the last tick.
+            const Frame& frame = ocean.frame_at(0.57 * number + 13.7 * seed);
+            const FoamSampler foam(frame);
+            for_places(number, [&](double x, double z) {
+                if (foam.at(x, z) <= 0.9f) return;
+                const SurfaceNormal normal = normal_of(slopes_of(frame, x, z));
+                white += normal.y;
+                if (wind_x * normal.x + wind_z * normal.z > 0) front += normal.y;
+            });
+        }
+    }
+    return front / white;
+}
+
+TEST(Lean, FoamIsOnFronts) {
+    const int seeds = is_sanitized ? 1 : 6, frames = is_sanitized ? 4 : 20;
+    for (const double wind_mps : {12.0, 16.0, 20.0, 26.0}) {
+        const double share = foam_on_fronts(windy(wind_mps, 0.32 + 0.01 * wind_mps), seeds, frames);
+        std::printf("%.0f m/s: %.3f\n", wind_mps, share);
+        EXPECT_GT(share, is_sanitized ? 0.65 : 0.7) << wind_mps;
+    }
+}
+
+// S of snapshot_foam.hpp has the variance 1 in the mean over positions and times.
+TEST(Lean, CompressionHasItsDeviation) {
+    for (const double lean : {0.0, 0.2, 0.6}) {
+        SeaState sea = windy(15, lean);
+        sea.wind_direction_rad = 2;
+        Ocean ocean(sea, {.executor = make_serial_executor(), .slopes = true, .foam = true});
+        double square = 0;
+        int count = 0;
+        for (int number = 0; number < (is_sanitized ? 4 : 20); ++number) {
+            const Frame& frame = ocean.frame_at(9.7 * number);
+            EXPECT_EQ(frame.statistics.foam_front_x != 0, lean > 0);
+            for_places(number, [&](double x, double z) {
+                const double compression = compression_of(frame, x, z);
+                square += compression * compression;
+                ++count;
+            });
+        }
+        std::printf("lean %.1f: variance %.3f\n", lean, square / count);
+        EXPECT_NEAR(square / count, 1, is_sanitized ? 0.06 : 0.02) << lean;
+    }
 }
 
 }  // namespace

@@ -353,6 +353,7 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     place_dynamic_waves(frame.dynamic_waves, in_water);
     place_shore(frame.shore, viewer);
     set("cascades", Value(static_cast<std::int64_t>(frame.cascades.size())));
+    set("foam_front", Value(floats(frame.statistics.foam_front_x, frame.statistics.foam_front_z, 0, 0)));
     set("foam_level", Value(frame.has_foam ? double{frame.foam.level} : SeaStatistics::no_foam_level));
     for (std::size_t image = 0; image < SnapshotFoam::images; ++image) {
         const auto age = [&](std::size_t byte) { return frame.foam.age[4 * image + byte]; };

@@ -132,6 +132,8 @@ layout(std140) uniform Scene {
     // x: compression at which half of the water is white; y: softness with which streaks
     // gather old foam; z: cover of films in a gale; w: weight of far windrows
     highp vec4 foam_kind;
+    // xy: factors of the slopes along x and z in the compression
+    highp vec4 foam_front;
     // octaves of small water; xy: cosine and sine of the rotation; z: cells per metre; w: height
     highp vec4 bump_grid[8];
     // the viewer's position in an octave; xy: within the cell; zw: index of the cell

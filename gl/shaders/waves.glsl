@@ -189,7 +189,8 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
         seen = held_back(seen, shore.weights[cascade]);
 #endif
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
-        if (cascade < FOAM_CASCADES) compression -= foam_cascade[cascade].z * (seen.d.x + seen.d.y);
+        if (cascade < FOAM_CASCADES)
+            compression -= foam_cascade[cascade].z * (seen.d.x + seen.d.y + dot(foam_front.xy, seen.h));
     }
     vec2 slopes_of_all = normal_slopes(sum);
 #ifdef SHORE

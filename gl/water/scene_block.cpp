@@ -177,6 +177,7 @@ void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const bool makes_foam = level < SeaStatistics::no_foam_level;
     const double film = makes_foam ? 0.2 * glm::smoothstep(13.9, 30., sea.wind_speed_mps) : 0;
     block.foam_kind = {level, 0.5 - 0.2 * order, film, order};
+    block.foam_front = {facts.statistics.foam_front_x, facts.statistics.foam_front_z, 0, 0};
 }
 
 /// Sets the placement of the shore. Samples lie at corner_m + (i, j) texel_m; the centres of the

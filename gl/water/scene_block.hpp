@@ -48,7 +48,7 @@ struct SceneBlock {
     std::array<glm::vec4, 4> foam_age{};
     std::array<glm::vec4, FoamFilter::widths> foam_filter{};
     std::array<glm::vec4, 2> foam_streaks{};
-    glm::vec4 foam_kind{};
+    glm::vec4 foam_kind{}, foam_front{};
     std::array<glm::vec4, 8> bump_grid{}, bump_place{};
     std::array<glm::vec4, 2> bump_turn{};
     glm::vec4 bump_kind{};

@@ -257,6 +257,8 @@ class pelagic_cascade(ctypes.Structure):
         ("slope_range", c_float),
         ("variance_range", c_float),
         ("compression_scale", c_float),
+        ("compression_front_x", c_float),
+        ("compression_front_z", c_float),
     ]
 
 

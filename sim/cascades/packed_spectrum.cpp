@@ -7,6 +7,7 @@
 #include "pelagic/sim/kernels/harmonic_bands.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/foam_front.hpp"
 #include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -64,10 +65,12 @@ LineStatistics& LineStatistics::operator+=(const LineStatistics& other) {
     mean_square_slope += other.mean_square_slope;
     mean_square_convergence += other.mean_square_convergence;
     slopes += other.slopes;
-    trace_square += other.trace_square;
-    trace_rate_square += other.trace_rate_square;
-    trace_drop_x += other.trace_drop_x;
-    trace_drop_z += other.trace_drop_z;
+    compression_square += other.compression_square;
+    compression_rate_square += other.compression_rate_square;
+    contraction += other.contraction;
+    contraction_before += other.contraction_before;
+    compression_drop_x += other.compression_drop_x;
+    compression_drop_z += other.compression_drop_z;
     level_m += other.level_m;
     stokes_x += other.stokes_x;
     stokes_z += other.stokes_z;
@@ -98,10 +101,12 @@ LineStatistics between(const LineStatistics& before, const LineStatistics& after
                 .mean_square_slope = of.mean_square_slope * factor,
                 .mean_square_convergence = of.mean_square_convergence * factor,
                 .slopes = of.slopes * factor,
-                .trace_square = of.trace_square * factor,
-                .trace_rate_square = of.trace_rate_square * factor,
-                .trace_drop_x = of.trace_drop_x * factor,
-                .trace_drop_z = of.trace_drop_z * factor,
+                .compression_square = of.compression_square * factor,
+                .compression_rate_square = of.compression_rate_square * factor,
+                .contraction = of.contraction * factor,
+                .contraction_before = of.contraction_before * factor,
+                .compression_drop_x = of.compression_drop_x * factor,
+                .compression_drop_z = of.compression_drop_z * factor,
                 .level_m = of.level_m * factor,
                 .stokes_x = of.stokes_x * factor,
                 .stokes_z = of.stokes_z * factor};
@@ -121,6 +126,8 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
     const ShownSlope resolved_z = resolved_slope(cascade, n), filtered_z = filtered_slope(cascade, n);
     const WindDrift usual = usual_foam_drift(sea);
     const CascadeGrid::Vector foam_drift = cascade.grid.in_cascade(usual.x_mps, usual.z_mps);
+    const FoamFront fronts = foam_front(sea);
+    const CascadeGrid::Vector front = cascade.grid.in_cascade(fronts.x, fronts.z);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 is its own mirror
     LineStatistics all;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
@@ -141,7 +148,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
             const ShownSlope resolved_x = resolved_slope(cascade, m), filtered_x = filtered_slope(cascade, m);
             const double drift = stokes_drift(k, waves.water()) / k;
             const double orbit = orbit_ratio(k, waves.water().depth_m), orbit_square = orbit * orbit;
-            const double lean = waves.lean(k), forward = orbit / std::sqrt(1 + lean * lean);
+            const double lean = waves.lean(k), sharpening = orbit / std::sqrt(1 + lean * lean);
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
@@ -149,7 +156,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 statistics.height_variance = mirrors * opposites.expected_square();
                 statistics.mean_square_slope = mirrors * opposites.expected_square() * k * k;
                 statistics.mean_square_convergence = statistics.mean_square_slope * orbit_square;
-                statistics.level_m = mirrors * opposites.realised_square() * k * forward;
+                statistics.level_m = mirrors * opposites.realised_square() * k * sharpening;
                 const double sign = signed_m == m ? 1 : -1;
                 // Frequency in the frame of drifting foam: foam that moves with a wave meets it
                 // less often.
@@ -161,19 +168,28 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 const double k_x = signed_m * spacing, k_z = n * spacing, of_square = 1 / (k_x * k_x + k_z * k_z);
                 const double trace = k_x * (sign * filtered_x.derivative) + k_z * filtered_z.derivative;
                 const double filter = filtered_x.filter * filtered_z.filter;
-                const double at_texels =
-                    mirrors * opposites.realised_square() * orbit_square * of_square * trace * trace;
-                statistics.trace_square = filter * at_texels;
+                // A wave cos(phase) of 1 m along k has the compression
+                // c cos(phase - b) + s sin(phase), where b is the lean. Against k, s is negative.
+                const double c = orbit * trace / k;
+                const double s = front.along * (sign * filtered_x.derivative) + front.across * filtered_z.derivative;
+                const double sine = lean / std::sqrt(1 + lean * lean), cosine = 1 / std::sqrt(1 + lean * lean);
+                const double both = mirrors * opposites.realised_square();
+                const double forward =
+                    mirrors * (std::norm(opposites.along.amplitude) - std::norm(opposites.against.amplitude));
+                const double contraction = both * orbit_square * of_square * trace * trace + forward * c * s * sine;
+                const double at_texels = contraction + (both * s + forward * c * sine) * s;
+                statistics.contraction = filter * contraction;
+                statistics.contraction_before = filter * forward * c * s * cosine;
+                statistics.compression_square = filter * at_texels;
                 // The mean square at u between two texels is 1 - 2 u (1 - u) (1 - cos), with the mean
                 // 1 - (1 - cos) / 3.
-                statistics.trace_drop_x = 1.5 * (1 - filtered_x.filter) * filtered_z.filter * at_texels;
-                statistics.trace_drop_z = 1.5 * (1 - filtered_z.filter) * filtered_x.filter * at_texels;
-                statistics.trace_rate_square = filter *
-                                               (mirrors *
-                                                (square_rate(opposites.along, frequency - drifted) +
-                                                 square_rate(opposites.against, frequency + drifted)) *
-                                                orbit_square) *
-                                               of_square * trace * trace;
+                statistics.compression_drop_x = 1.5 * (1 - filtered_x.filter) * filtered_z.filter * at_texels;
+                statistics.compression_drop_z = 1.5 * (1 - filtered_z.filter) * filtered_x.filter * at_texels;
+                const double along_rate = square_rate(opposites.along, frequency - drifted);
+                const double against_rate = square_rate(opposites.against, frequency + drifted);
+                statistics.compression_rate_square =
+                    filter * (mirrors * (along_rate + against_rate) * orbit_square) * of_square * trace * trace +
+                    filter * mirrors * ((along_rate + against_rate) * s + 2 * (along_rate - against_rate) * c * sine) * s;
                 statistics.slopes.add_wave(
                     mirrors * opposites.expected_square() * resolved_x.filter * resolved_z.filter,
                     sign * resolved_x.derivative, resolved_z.derivative);
@@ -186,8 +202,8 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
             const CascadeWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
-            put(direction_x, m / length * forward);
-            put(direction_z, n / length * forward);
+            put(direction_x, m / length * sharpening);
+            put(direction_z, n / length * sharpening);
             put(lean_tangent, lean);
             *harmonic = periods;
         }

@@ -50,13 +50,17 @@ struct LineStatistics {
     /// (Dx,x + Dz,z)^2 of the waves, not of the textures, at choppiness 1.
     double mean_square_convergence = 0;
     SlopeMoments slopes;  ///< of the cascade's textures, along the axes of the cascade
-    /// Mean square of Dx,x + Dz,z at choppiness 1, and of its rate of change in 1/s at drifting
-    /// foam: of the waves of this sea's seed, as bilinear filtering between the texels of
-    /// compression shows them, in the mean over all positions.
-    double trace_square = 0, trace_rate_square = 0;
-    /// trace_square on columns of texels less that midway between two columns, and of rows.
-    double trace_drop_x = 0, trace_drop_z = 0;
-    /// Sum of k coth(k d) a^2 / 2 over the waves of this sea's seed, with orbit_ratio(), m.
+    /// Mean square of the compression at choppiness 1, -(Dx,x + Dz,z) - foam_front() . grad h, and of
+    /// its rate of change in 1/s at drifting foam: of the waves of this sea's seed, as bilinear
+    /// filtering between the texels of compression shows them, in the mean over all positions.
+    double compression_square = 0, compression_rate_square = 0;
+    /// Covariance of -(Dx,x + Dz,z) with that compression, and with its quadrature: that of a
+    /// quarter of each wave's period before.
+    double contraction = 0, contraction_before = 0;
+    /// compression_square on columns of texels less that midway between two columns, and of rows.
+    double compression_drop_x = 0, compression_drop_z = 0;
+    /// Sum of cos b k coth(k d) a^2 / 2 over the waves of this sea's seed, with orbit_ratio() and the
+    /// angle b of the lean, m.
     double level_m = 0;
     /// Stokes drift at the surface along the axes of the cascade, m/s.
     double stokes_x = 0, stokes_z = 0;

@@ -8,6 +8,7 @@
 #include "pelagic/sim/foam/tick_clock.hpp"
 #include "pelagic/sim/kernels/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/foam_front.hpp"
 #include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
@@ -110,6 +111,8 @@ Weather::Sums& Weather::Sums::operator+=(const Sums& other) {
     slopes += other.slopes;
     drift_x_mps += other.drift_x_mps;
     drift_z_mps += other.drift_z_mps;
+    front_x += other.front_x;
+    front_z += other.front_z;
     const auto add = [](Compression& to, const Compression& more) {
         to.square += more.square;
         to.rate_square += more.rate_square;
@@ -131,6 +134,8 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
               .slopes = before.slopes * (1 - weight),
               .drift_x_mps = blend(&Sums::drift_x_mps),
               .drift_z_mps = blend(&Sums::drift_z_mps),
+              .front_x = blend(&Sums::front_x),
+              .front_z = blend(&Sums::front_z),
               .compression = {},
               .compression_drop_x = blend(&Sums::compression_drop_x),
               .compression_drop_z = blend(&Sums::compression_drop_z),
@@ -156,6 +161,8 @@ Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeG
             .slopes = statistics.slopes.in_world(grid),
             .drift_x_mps = stokes.along,
             .drift_z_mps = stokes.across,
+            .front_x = 0,
+            .front_z = 0,
             .compression = {},
             .compression_drop_x = 0,
             .compression_drop_z = 0,
@@ -169,20 +176,22 @@ Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeG
 /// statistics include.
 void Weather::Sums::add_foam_of(const LineStatistics& band, const CascadePlan& plan, double frequency_radps,
                                 double drift_of_usual, double tick_s) {
-    if (!(plan.foam_weight() > 0 && band.trace_square > 0)) return;
-    const double square = plan.foam_weight() * plan.foam_weight() * band.trace_square;
+    if (!(plan.foam_weight() > 0 && band.compression_square > 0)) return;
+    const double square = plan.foam_weight() * plan.foam_weight() * band.compression_square;
     // The moments hold the frequency that foam of the usual drift meets.
-    const double met_radps = std::sqrt(band.trace_rate_square / band.trace_square);
+    const double met_radps = std::sqrt(band.compression_rate_square / band.compression_square);
     const double rate_radps = frequency_radps + drift_of_usual * (met_radps - frequency_radps);
     const Compression all{square, square * rate_radps * rate_radps};
     const double k = frequency_radps * frequency_radps / gravity_mps2, texel_m = plan.grid.side_m / plan.resolution;
     compression.square += all.square;
     compression.rate_square += all.rate_square;
-    compression_drop_x += plan.foam_weight() * plan.foam_weight() * band.trace_drop_x;
-    compression_drop_z += plan.foam_weight() * plan.foam_weight() * band.trace_drop_z;
-    for (std::size_t tick = 0; tick < contraction.size(); ++tick)
-        contraction[tick] += plan.foam_weight() * band.trace_square *
-                             det::sine_cosine_of_turns(static_cast<double>(tick) * tick_s * rate_radps / two_pi).cosine;
+    compression_drop_x += plan.foam_weight() * plan.foam_weight() * band.compression_drop_x;
+    compression_drop_z += plan.foam_weight() * plan.foam_weight() * band.compression_drop_z;
+    for (std::size_t tick = 0; tick < contraction.size(); ++tick) {
+        const auto before = det::sine_cosine_of_turns(static_cast<double>(tick) * tick_s * rate_radps / two_pi);
+        contraction[tick] += plan.foam_weight() * band.contraction * before.cosine +
+                             plan.foam_weight() * band.contraction_before * before.sine;
+    }
     for (std::size_t width = 0; width < FoamFilter::widths; ++width) {
         const double width_m = std::ldexp(FoamFilter::first_width_m, static_cast<int>(width));
         const double kept = det::exp(-k * k * std::max(width_m * width_m - texel_m * texel_m, 0.0) / 3);
@@ -271,6 +280,8 @@ SeaStatistics Weather::statistics_of(const SeaState& sea, const Sums& sums) {
     statistics.roughness = roughness_of(sea, statistics.unresolved_slopes);
     statistics.foam_drift_x_mps = sums.drift_x_mps;
     statistics.foam_drift_z_mps = sums.drift_z_mps;
+    statistics.foam_front_x = sea.choppiness * sums.front_x;
+    statistics.foam_front_z = sea.choppiness * sums.front_z;
     add_foam_statistics(sea, sums, statistics);
     return statistics;
 }
@@ -306,8 +317,13 @@ void Weather::adopt(Sources sources) {
     for (std::size_t cascade = 0; cascade < sources.size(); ++cascade)
         sums += Sums::of(sources[cascade]->adopt_spectrum(baked_number_, entry), sources[cascade]->grid());
     const WindDrift wind = wind_drift(baked), usual = usual_foam_drift(baked);
-    sums.drift_x_mps += wind.x_mps;
-    sums.drift_z_mps += wind.z_mps;
+    const FoamFront front = foam_front(baked);
+    Sums by_wind;
+    by_wind.drift_x_mps = wind.x_mps;
+    by_wind.drift_z_mps = wind.z_mps;
+    by_wind.front_x = front.x;
+    by_wind.front_z = front.z;
+    sums += by_wind;
     const double usual_square = usual.x_mps * usual.x_mps + usual.z_mps * usual.z_mps;
     constexpr double no_drift_m2ps2 = 1e-12;
     const double drift_of_usual =
@@ -328,9 +344,6 @@ void Weather::adopt(Sources sources) {
             by_band[band] += foam;
         }
     }
-    Sums by_wind;
-    by_wind.drift_x_mps = wind.x_mps;
-    by_wind.drift_z_mps = wind.z_mps;
     baked_[entry] = {sums, by_wind, std::move(by_band), statistics_of(baked, sums)};
 }
 

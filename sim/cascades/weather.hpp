@@ -83,11 +83,12 @@ class Weather {
         double height_variance = 0;
         SlopeMoments slopes;                      ///< in the world's axes
         double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
+        double front_x = 0, front_z = 0;          ///< foam_front()
         /// Mean squares of the weighted compression at choppiness 1, and of its rate of change.
         struct Compression {
             double square = 0, rate_square = 0;
         } compression;
-        double compression_drop_x = 0, compression_drop_z = 0;  ///< as LineStatistics::trace_drop_x
+        double compression_drop_x = 0, compression_drop_z = 0;  ///< as of LineStatistics
         /// Mean squares of their means over squares of FoamFilter's widths.
         std::array<Compression, FoamFilter::widths> compression_of_width;
         /// Covariances of the contraction with the weighted compression, by its age in foam ticks.

@@ -63,8 +63,11 @@ std::array<float, SnapshotJob::taps> shift_weights(double u) {
 
 }  // namespace
 
-PresentCompression bytes_of_compression(float compression_scale) {
-    return {.factor = -compression_scale / SnapshotFoam::step, .offset = -SnapshotFoam::lowest / SnapshotFoam::step};
+PresentCompression bytes_of_compression(const Cascade& cascade, float slope_unit) {
+    return {.factor = -(cascade.compression_scale * slope_unit) / SnapshotFoam::step,
+            .offset = -SnapshotFoam::lowest / SnapshotFoam::step,
+            .front_x = cascade.compression_front_x,
+            .front_z = cascade.compression_front_z};
 }
 
 FoamSnapshots::FoamSnapshots(FrameSlots& slots, const Kernels& kernels)
@@ -104,11 +107,11 @@ std::vector<StageId> FoamSnapshots::add_tick_stages(JobGraph& graph, std::span<c
     return read;
 }
 
-void FoamSnapshots::begin_tick(std::size_t cascade, const CascadeGrid& grid, float compression_scale,
-                               const TickClock& clock, std::int64_t number) {
+void FoamSnapshots::begin_tick(std::size_t cascade, const Cascade& from, const TickClock& clock,
+                               std::int64_t number) {
     CascadeSnapshots& to = cascades_[cascade];
-    to.grid = grid;
-    to.scale = compression_scale;
+    to.grid = from.grid;
+    to.bytes = bytes_of_compression(from);
     to.slot = SnapshotFoam::slot_of(clock.in_loop(number));
     const AxisShift x = shift_at(to.drift.x, clock, number, slots_.resolution());
     const AxisShift z = shift_at(to.drift.z, clock, number, slots_.resolution());
@@ -128,7 +131,8 @@ void FoamSnapshots::compress_rows(std::size_t cascade, std::size_t job) {
     const CascadeSnapshots& from = cascades_[cascade];
     if (is_idle_ || !from.is_there) return;
     const int n = slots_.resolution();
-    const PresentCompression bytes = bytes_of_compression(from.scale);
+    const CascadeGrid::Vector front =
+        from.grid.in_cascade(double{from.bytes.front_x}, double{from.bytes.front_z});
     kernels_.compression(
         {.surface = slots_.surface(cascade),
          .resolution = static_cast<std::size_t>(n),
@@ -136,8 +140,10 @@ void FoamSnapshots::compress_rows(std::size_t cascade, std::size_t job) {
          .cosine = static_cast<float>(from.grid.cosine),
          .sine = static_cast<float>(from.grid.sine),
          .far_over_near = static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight),
-         .factor = static_cast<float>(double{bytes.factor} * SlopesJob::near_weight / (from.grid.side_m / n)),
-         .offset = bytes.offset,
+         .factor = static_cast<float>(double{from.bytes.factor} * SlopesJob::near_weight / (from.grid.side_m / n)),
+         .offset = from.bytes.offset,
+         .front_along = static_cast<float>(front.along),
+         .front_across = static_cast<float>(front.across),
          .first_row = job * snapshot_rows_per_job,
          .rows = snapshot_rows_per_job,
          .out = cascades_[cascade].compression.data()});

@@ -45,9 +45,8 @@ class FoamSnapshots {
     void set_idle(bool is_idle) { is_idle_ = is_idle; }
     /// Prepares the cascade's snapshot of tick `number` for the next run of the stages. Images that
     /// the application's frame shows are not overwritten. \pre no run is in flight
-    /// \param compression_scale  as Cascade::compression_scale, at the tick
-    void begin_tick(std::size_t cascade, const CascadeGrid& grid, float compression_scale, const TickClock& clock,
-                    std::int64_t number);
+    /// \param from  the grid and the factors of compression at the tick
+    void begin_tick(std::size_t cascade, const Cascade& from, const TickClock& clock, std::int64_t number);
     /// Gives the frame in the back slot the snapshots, as of the last tick before its time.
     void set_views(const TickClock& clock, const TickTime& time);
 
@@ -64,7 +63,7 @@ class FoamSnapshots {
         bool is_there = false;
         CascadeGrid grid;
         DriftTexels drift{};
-        float scale = 0;
+        PresentCompression bytes;                                   ///< of slopes of one unit
         std::size_t slot = 0;                                       ///< of the tick
         const std::uint32_t* before = nullptr;                      ///< the image before the tick
         std::size_t shift_x = 0, shift_z = 0;                       ///< whole texels of the drift
@@ -84,7 +83,8 @@ class FoamSnapshots {
     bool is_idle_ = false;
 };
 
-/// Converts compressions to bytes: PresentCompression or CompressionJob for slopes of one unit.
-PresentCompression bytes_of_compression(float compression_scale);
+/// Returns the factors that convert a cascade's slopes to bytes of compression.
+/// \param slope_unit  unit of the slopes
+PresentCompression bytes_of_compression(const Cascade& cascade, float slope_unit = 1);
 
 }  // namespace pelagic

@@ -35,8 +35,7 @@ void FoamPart::begin(const PassMoment& at) {
 void FoamPart::begin_tick(const PassMoment& at) {
     const std::int64_t number = ticks_.begin_tick();
     for (std::size_t cascade = 0; cascade < at.cascades.size(); ++cascade)
-        snapshots_.begin_tick(cascade, at.cascades[cascade].grid, at.cascades[cascade].compression_scale,
-                              ticks_.clock(), number);
+        snapshots_.begin_tick(cascade, at.cascades[cascade], ticks_.clock(), number);
 }
 
 std::size_t FoamPart::bytes() const { return sizeof *this + snapshots_.bytes(); }

@@ -118,6 +118,8 @@ void FrameAssembly::begin(Pass pass, double time_s, const SeaMoment& moment, con
     for (std::size_t cascade = 0; cascade < cascades.size(); ++cascade) {
         sources_[cascade]->begin(pass, moment, cascades[cascade]);
         cascades[cascade].compression_scale = compression_scale(cascade, statistics);
+        cascades[cascade].compression_front_x = static_cast<float>(statistics.foam_front_x);
+        cascades[cascade].compression_front_z = static_cast<float>(statistics.foam_front_z);
     }
     const PassMoment at{.pass = pass,
                         .time_s = time_s,

@@ -74,15 +74,19 @@ void copy_plane(const PlaneView& plane, std::span<float> out) {
 
 void copy_compression(const Cascade& cascade, std::span<float> out) {
     const auto n = static_cast<std::size_t>(cascade.resolution()), last = n - 1;
-    std::vector<float> dx(n * n), dz(n * n);
+    std::vector<float> dx(n * n), height(n * n), dz(n * n);
     if (out.size() != dx.size())
         throw std::invalid_argument("the compression has " + number_text(dx.size()) + " elements, and room for " +
                                     number_text(out.size()) + " was given");
     copy_plane(cascade.dx, dx);
+    copy_plane(cascade.height, height);
     copy_plane(cascade.dz, dz);
     const auto near = static_cast<float>(SlopesJob::near_weight), far = static_cast<float>(SlopesJob::far_weight);
     const auto cosine = static_cast<float>(cascade.grid.cosine), sine = static_cast<float>(cascade.grid.sine);
     const auto factor = static_cast<float>(-double{cascade.compression_scale} / cascade.texel_m());
+    const CascadeGrid::Vector front =
+        cascade.grid.in_cascade(double{cascade.compression_front_x}, double{cascade.compression_front_z});
+    const auto front_along = static_cast<float>(front.along), front_across = static_cast<float>(front.across);
     for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
             const auto along = [&](const std::vector<float>& of) {
@@ -94,7 +98,8 @@ void copy_compression(const Cascade& cascade, std::span<float> out) {
                 return near * (at(j + 1) - at(j - 1)) + far * (at(j + 2) - at(j - 2));
             };
             const float trace = (cosine * along(dx) - sine * across(dx)) + (sine * along(dz) + cosine * across(dz));
-            out[j * n + i] = factor * trace + 0.f;  // no negative zeros
+            const float fronts = front_along * along(height) + front_across * across(height);
+            out[j * n + i] = factor * (trace + fronts) + 0.f;  // no negative zeros
         }
 }
 

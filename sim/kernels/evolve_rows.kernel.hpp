@@ -76,7 +76,8 @@ PELAGIC_INLINE void first_step(const EvolvedGroup<Arch, Radix>& group, Wave wave
     using V = xsimd::batch<float, Arch>;
     using C = Complex<Arch>;
     constexpr std::size_t point = 2 * V::size, element = fields * point;
-    butterfly<Arch, Radix>([&](std::size_t s) { return group.h[s]; }, OutputsApart<Arch>{to + field_h * point, element});
+    butterfly<Arch, Radix>([&](std::size_t s) { return group.h[s]; },
+                           OutputsApart<Arch>{to + field_h * point, element});
     C p[Radix], r[Radix];
     for (std::size_t s = 0; s < Radix; ++s) {
         const V along = V::load_aligned(wave(s) + direction_x * V::size);

@@ -92,10 +92,11 @@ struct ColumnsFinalizeJob {
     float level_m = 0;  ///< Cascade::level_m, added to each height
 };
 
-/// Compression of a cascade in a frame, in bytes: nearest(clamp(offset + factor (Dx,x + Dz,z), 0,
-/// 255)) for slopes in units of a byte step.
+/// Compression of a cascade in a frame, in bytes:
+/// nearest(clamp(offset + factor (Dx,x + Dz,z + front . grad h), 0, 255)) for slopes in units of a
+/// byte step, along the world's axes.
 struct PresentCompression {
-    float factor = 0, offset = 0;
+    float factor = 0, offset = 0, front_x = 0, front_z = 0;
     std::uint8_t* bytes = nullptr;  ///< N^2; null: not written
 };
 
@@ -201,8 +202,8 @@ struct SlopeLevelJob {
     std::uint32_t *slopes, *moments;  ///< side^2 each
 };
 
-/// Compression at all texels of a cascade's rows: offset + factor (Dx,x + Dz,z), in bytes that are
-/// not rounded. Derivatives are those of SlopesJob.
+/// Compression at all texels of a cascade's rows: offset + factor (Dx,x + Dz,z + front . grad h), in
+/// bytes that are not rounded. Derivatives are those of SlopesJob.
 struct CompressionJob {
     const float* surface;  ///< all column blocks
     std::size_t resolution;
@@ -211,8 +212,9 @@ struct CompressionJob {
     float far_over_near;  ///< SlopesJob::far_weight over near_weight
     float factor;         ///< includes the near weight over L / N
     float offset;
-    std::size_t first_row, rows;  ///< even
-    float* out;                   ///< N^2, tight rows; only the job's rows are written
+    float front_along, front_across;  ///< along the cascade's axes
+    std::size_t first_row, rows;      ///< even
+    float* out;                       ///< N^2, tight rows; only the job's rows are written
 };
 
 /// One byte of the texels of an image of snapshots: the compression at texel (x + shift_x + s_x,

@@ -177,7 +177,8 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
         store_texels<Arch>(slopes_word<Arch>(planes), texels.slopes + at);
         store_texels<Arch>(moments_at<Arch>(planes[d_xz]), texels.moments + at);
         if constexpr (with_compression)
-            compression.put(planes[d_xx] + planes[d_zz], static_cast<std::size_t>(row), column);
+            compression.put(planes[d_xx] + planes[d_zz], planes[h_x], planes[h_z], static_cast<std::size_t>(row),
+                            column);
         if constexpr (with_halves)
             store_halves<Arch>(walk.at(surface_dx, row), walk.at(surface_height, row), walk.at(surface_dz, row),
                                V(0.f), halves + 4 * at);

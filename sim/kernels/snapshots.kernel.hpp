@@ -29,13 +29,16 @@ class CompressionRows {
                                    std::size_t columns)
         : factor_(compression.factor),
           offset_(compression.offset),
+          front_x_(compression.front_x),
+          front_z_(compression.front_z),
           bytes_(compression.bytes),
           first_(first),
           stride_(stride),
           columns_(columns) {}
 
-    PELAGIC_INLINE void put(V trace, std::size_t row, std::size_t column) {
-        bytes_of_compression<Arch>(trace * factor_ + offset_).store_aligned(rows_[row] + column);
+    PELAGIC_INLINE void put(V trace, V h_x, V h_z, std::size_t row, std::size_t column) {
+        const V contraction = trace + (front_x_ * h_x + front_z_ * h_z);
+        bytes_of_compression<Arch>(contraction * factor_ + offset_).store_aligned(rows_[row] + column);
     }
 
     PELAGIC_INLINE void write() const {
@@ -46,7 +49,7 @@ class CompressionRows {
     }
 
    private:
-    V factor_, offset_;
+    V factor_, offset_, front_x_, front_z_;
     std::uint8_t* bytes_;
     std::size_t first_, stride_, columns_;
     alignas(64) std::int32_t rows_[2][max_columns];
@@ -58,16 +61,18 @@ inline void compression_of_rows(const CompressionJob& job, const Turn& turn) {
     const std::size_t n = job.resolution;
     const BlockSurface<Arch> surface(job.surface, n, job.block_stride);
     const V factor(job.factor), offset(job.offset), far_weight(job.far_over_near);
+    const V front_along(job.front_along), front_across(job.front_across);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; z += 2) {
         typename BlockSurface<Arch>::PairWalk walk(surface, 0, z);
         for (std::size_t x = 0; x < n; x += V::size) {
             for (int row = 0; row < 2; ++row) {
-                Differences<Arch> dx, dz;
+                Differences<Arch> dx, h, dz;
                 walk.wide_difference(surface_dx, row, far_weight, dx);
+                walk.wide_difference(surface_height, row, far_weight, h);
                 walk.wide_difference(surface_dz, row, far_weight, dz);
                 turn(dx);
                 turn(dz);
-                ((dx.x + dz.z) * factor + offset)
+                ((dx.x + dz.z + (front_along * h.x + front_across * h.z)) * factor + offset)
                     .store_aligned(job.out + (z + static_cast<std::size_t>(row)) * n + x);
             }
             walk.next();

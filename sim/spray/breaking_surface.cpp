@@ -26,7 +26,10 @@ BreakingSurface::BreakingSurface(std::span<const Cascade> at_tick, std::span<con
                                  const ShoreSurface& shore)
     : count_(at_tick.size()), shore_(shore) {
     for (std::size_t c = 0; c < count_; ++c)
-        cascades_[c] = {at_tick[c].grid, static_cast<double>(at_tick[c].compression_scale), texels_of(planes[c])};
+        cascades_[c] = {at_tick[c].grid, static_cast<double>(at_tick[c].compression_scale),
+                        at_tick[c].grid.in_cascade(double{at_tick[c].compression_front_x},
+                                                   double{at_tick[c].compression_front_z}),
+                        texels_of(planes[c])};
 }
 
 std::array<float, max_cascades> BreakingSurface::weights_at(double x_m, double z_m) const {
@@ -40,7 +43,7 @@ double BreakingSurface::compression(double x_m, double z_m) const {
     const auto weights = weights_at(x_m, z_m);
     double sum = 0;
     for (std::size_t c = 0; c < count_; ++c) {
-        const auto& [grid, scale, texels] = cascades_[c];
+        const auto& [grid, scale, front, texels] = cascades_[c];
         if (scale == 0) continue;
         const Columns columns = columns_at(grid, texels.resolution, x_m, z_m);
         const int i = static_cast<int>(columns.along + 0.5), j = static_cast<int>(columns.across + 0.5);
@@ -51,9 +54,11 @@ double BreakingSurface::compression(double x_m, double z_m) const {
         };
         // x and z are at angles to the cascade's axes: d/dx = cos d/du - sin d/dv.
         const double along =
-            grid.cosine * change(texels.dx, left, right) + grid.sine * change(texels.dz, left, right);
+            grid.cosine * change(texels.dx, left, right) + grid.sine * change(texels.dz, left, right) +
+            front.along * change(texels.height, left, right);
         const double across =
-            grid.cosine * change(texels.dz, above, below) - grid.sine * change(texels.dx, above, below);
+            grid.cosine * change(texels.dz, above, below) - grid.sine * change(texels.dx, above, below) +
+            front.across * change(texels.height, above, below);
         sum -= static_cast<double>(weights[c]) * scale * (along + across) * texels.resolution / (2 * grid.side_m);
     }
     return sum;

@@ -31,6 +31,7 @@ class BreakingSurface {
     struct Texels {
         CascadeGrid grid;
         double compression_scale;
+        CascadeGrid::Vector compression_front;  ///< along the cascade's axes
         SurfaceTexels texels;
     };
     std::array<float, max_cascades> weights_at(double x_m, double z_m) const;

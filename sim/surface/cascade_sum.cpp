@@ -148,7 +148,9 @@ double compression_of(const Frame& frame, double x_m, double z_m) {
     for (const Cascade& cascade : frame.cascades) {
         if (cascade.compression_scale == 0) continue;
         const SurfaceSlopes slopes = slopes_of(cascade, x_m, z_m);
-        sum -= double{cascade.compression_scale} * (slopes.d_xx + slopes.d_zz);
+        sum -= double{cascade.compression_scale} *
+               (slopes.d_xx + slopes.d_zz + double{cascade.compression_front_x} * slopes.h_x +
+                double{cascade.compression_front_z} * slopes.h_z);
     }
     return environment.result(sum);
 }

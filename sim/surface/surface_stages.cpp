@@ -99,8 +99,7 @@ void SurfaceStages::add_tails(JobGraph& graph, StageId gradients_done, StageId s
 
 PresentCompression SurfaceStages::present_compression() {
     const Cascade& cascade = slots_.cascade(cascade_);
-    PresentCompression compression =
-        bytes_of_compression(cascade.compression_scale * slope_step(cascade.slope_ranges));
+    PresentCompression compression = bytes_of_compression(cascade, slope_step(cascade.slope_ranges));
     compression.bytes = slots_.buffers(cascade_).compression.data();
     return compression;
 }

@@ -214,9 +214,9 @@ std::string pixel_meaning() {
   velocity      velocity of the displaced point along x, y, z in m/s; for motion blur
   jacobian      one channel: J, not clamped; below 1 the surface is compressed, below 0 overturned
   slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over reference positions
-  compression   one channel: q, the horizontal compression in standard deviations of the sea's. Water breaks with
-                the foam clamp(1/2 + (S - level) / ramp, 0, 1) of the cascades' sum S (sea.json: foam), and 1 of foam
-                fades in fade_s seconds
+  compression   one channel: q, the horizontal compression, with a fraction of the slope along the wind, in standard
+                deviations of the sea's. Water breaks with the foam clamp(1/2 + (S - level) / ramp, 0, 1) of the
+                cascades' sum S (sea.json: foam), and 1 of foam fades in fade_s seconds
   dynamic-waves with --events: R, G, B = height, vertical velocity (m/s), foam (1 covered) as floats. Add the height
                 to the displaced surface. sea.json holds the position of the grid (dynamic_waves)
   position      N texels per side of L metres: column i, row j has the reference position x = i L/N, z = j L/N and

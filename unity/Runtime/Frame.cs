@@ -169,6 +169,8 @@ namespace Pelagic
         public float SlopeRange => Of.slope_range;
         public float VarianceRange => Of.variance_range;
         public float CompressionScale => Of.compression_scale;
+        public float CompressionFrontX => Of.compression_front_x;
+        public float CompressionFrontZ => Of.compression_front_z;
         public double DriftColumns => Of.drift_columns;
         public double DriftRows => Of.drift_rows;
 

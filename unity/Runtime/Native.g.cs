@@ -1046,6 +1046,8 @@ namespace Pelagic
             internal float slope_range;
             internal float variance_range;
             internal float compression_scale;
+            internal float compression_front_x;
+            internal float compression_front_z;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -152,6 +152,8 @@ val cascade_of(const Cascade& cascade) {
     object.set("slopeVariance", cascade.slope_variance);
     object.set("makesWhitecaps", cascade.makes_whitecaps());
     object.set("compressionScale", cascade.compression_scale);
+    object.set("compressionFrontX", cascade.compression_front_x);
+    object.set("compressionFrontZ", cascade.compression_front_z);
     object.set("driftColumns", cascade.drift_columns);
     object.set("driftRows", cascade.drift_rows);
     object.set("snapshotsVersion", numbers_of<std::uint64_t>(cascade.snapshots_version));

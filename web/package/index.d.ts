@@ -813,8 +813,11 @@ export interface CascadeAbout {
   readonly slopeVariance: number;
   /** Whether the cascade's waves make foam in the sum. */
   readonly makesWhitecaps: boolean;
-  /** q over -(D_xx + D_zz) of this cascade, see CascadeMaps.snapshots. */
+  /** q over -(D_xx + D_zz + front . (h_x, h_z)) of this cascade, see CascadeMaps.snapshots. */
   readonly compressionScale: number;
+  /** The front, which all cascades share. */
+  readonly compressionFrontX: number;
+  readonly compressionFrontZ: number;
   /** Texel (i, j) has the snapshots of texel (i - driftColumns, j - driftRows). */
   readonly driftColumns: number;
   readonly driftRows: number;

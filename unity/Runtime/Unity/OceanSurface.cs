@@ -18,6 +18,7 @@ namespace Pelagic.Unity
         private static readonly int placeId = Shader.PropertyToID("_PelagicCascadePlace"), scaleId = Shader.PropertyToID("_PelagicCascadeScale"),
                                     slopeId = Shader.PropertyToID("_PelagicCascadeSlope"), foamCascadeId = Shader.PropertyToID("_PelagicFoamCascade"),
                                     foamAgeId = Shader.PropertyToID("_PelagicFoamAge"), foamKindId = Shader.PropertyToID("_PelagicFoamKind"),
+                                    foamFrontId = Shader.PropertyToID("_PelagicFoamFront"),
                                     viewerId = Shader.PropertyToID("_PelagicViewer"), gridId = Shader.PropertyToID("_PelagicGrid"),
                                     fadeId = Shader.PropertyToID("_PelagicFade"), meshId = Shader.PropertyToID("_PelagicMesh"),
                                     sunId = Shader.PropertyToID("_PelagicSun"), sunIrradianceId = Shader.PropertyToID("_PelagicSunIrradiance"),
@@ -130,6 +131,7 @@ namespace Pelagic.Unity
             Material.SetVectorArray(foamCascadeId, foamCascade);
             Material.SetVectorArray(foamAgeId, foamAge);
             Material.SetVector(foamKindId, new Vector4(frame.FoamLevel, 0, 0, 0));
+            Material.SetVector(foamFrontId, new Vector4(frame.Cascade(0).CompressionFrontX, frame.Cascade(0).CompressionFrontZ, 0, 0));
             Material.SetVector(wavesId, Vector(Math.Max(0.05, waveHeightM), frame.Roughness, 0, 0));
 
             // Ripples run downwind at the speed of deep-water waves of a tenth of their period, and repeat in a loop.

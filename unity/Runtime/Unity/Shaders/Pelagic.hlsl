@@ -39,6 +39,8 @@ float4 _PelagicFoamCascade[PELAGIC_FOAM_CASCADES];
 float4 _PelagicFoamAge[2];
 // x: compression at which half of the water is white
 float4 _PelagicFoamKind;
+// xy: factors of the slopes along x and z in the compression
+float4 _PelagicFoamFront;
 // xyz: position in the scene; w: height of still water there
 float4 _PelagicViewer;
 // xy: corner of the grid; z: metres per step; w: V
@@ -165,7 +167,7 @@ PelagicWaves PelagicWavesAt(float2 at, float4 coarsest, PelagicFootprint pixel) 
     float2 h = coarsest.xy, d = coarsest.zw;
     float variance = 0.0;
     PelagicWaves seen;
-    seen.compression = -_PelagicFoamCascade[0].z * (d.x + d.y);
+    seen.compression = -_PelagicFoamCascade[0].z * (d.x + d.y + dot(_PelagicFoamFront.xy, h));
     for (int cascade = 1; cascade < PELAGIC_CASCADES; ++cascade) {
         float4 scale = _PelagicCascadeScale[cascade];
         float mip = log2(pixel.wide_m * scale.x);
@@ -174,7 +176,8 @@ PelagicWaves PelagicWavesAt(float2 at, float4 coarsest, PelagicFootprint pixel) 
         h += texel.xy;
         d += texel.zw;
         variance += _PelagicCascadeSlope[cascade].z * saturate(mip / scale.y);
-        if (cascade < PELAGIC_FOAM_CASCADES) seen.compression -= _PelagicFoamCascade[cascade].z * (texel.z + texel.w);
+        if (cascade < PELAGIC_FOAM_CASCADES)
+            seen.compression -= _PelagicFoamCascade[cascade].z * (texel.z + texel.w + dot(_PelagicFoamFront.xy, texel.xy));
     }
     // VR Ocean, equation 48; headsets omit D_xz.
     float3 normal = float3(-h.x * (1.0 + d.y), (1.0 + d.x) * (1.0 + d.y), -h.y * (1.0 + d.x));

@@ -66,6 +66,7 @@ const uniforms = {
   grid: { value: frame.cascades.map((cascade) => new THREE.Vector3(cascade.sideM, cascade.cosine, cascade.sine)) },
   ranges: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.slopeRange, cascade.varianceRange)) },
   compressionScale: { value: frame.cascades.map((cascade) => cascade.compressionScale) },
+  compressionFront: { value: new THREE.Vector2(frame.cascades[0].compressionFrontX, frame.cascades[0].compressionFrontZ) },
   foamLevel: { value: frame.statistics.foamLevel },
   unresolved: { value: frame.statistics.unresolvedSlopes.upwind + frame.statistics.unresolvedSlopes.crosswind },
   sun: { value: new THREE.Vector3(0.25, 0.2, -1).normalize() },

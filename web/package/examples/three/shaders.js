@@ -60,6 +60,7 @@ const fragmentShader = (count) => `
   uniform sampler2D slopes[${count}], moments[${count}];
   uniform vec2 ranges[${count}];
   uniform float compressionScale[${count}], foamLevel, unresolved;
+  uniform vec2 compressionFront;
   varying vec3 place;
   varying vec2 rest;
   ${skyColour}
@@ -78,7 +79,7 @@ const fragmentShader = (count) => `
       h += slope.xy;
       d += own;
       variance += (moment.y + moment.z) * ranges[CASCADE].y;
-      compression -= compressionScale[CASCADE] * (own.x + own.y);`)}
+      compression -= compressionScale[CASCADE] * (own.x + own.y + dot(compressionFront, slope.xy));`)}
     float j = (1.0 + d.x) * (1.0 + d.y) - d.z * d.z;
     vec3 normal = normalize(vec3(h.y * d.z - h.x * (1.0 + d.y), max(j, 0.05), h.x * d.z - h.y * (1.0 + d.x)));
 

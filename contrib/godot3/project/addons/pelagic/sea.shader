@@ -25,6 +25,7 @@ uniform vec4 cascade_foam_1;
 uniform vec4 cascade_foam_2;
 uniform vec4 cascade_foam_3;
 uniform float foam_level = 1000.0;   // compression of half foam
+uniform vec4 foam_front;             // xy: factors of the slopes along x and z in the compression
 uniform vec4 snapshot_ages_0 = vec4(1.0); // foam that has decayed since each snapshot
 uniform vec4 snapshot_ages_1 = vec4(1.0);
 uniform vec4 snapshot_ages_2 = vec4(1.0);
@@ -283,7 +284,7 @@ void fragment() {
 		h += weight * slope.xy;
 		d += weight * vec3(slope.zw, (moment.x * (255.0 / 127.0) - 128.0 / 127.0) * scale.y);
 		variance += weight * weight * (moment.y + moment.z) * scale.z;
-		present -= weight * of_foam.z * (slope.z + slope.w);
+		present -= weight * of_foam.z * (slope.z + slope.w + dot(foam_front.xy, slope.xy));
 	}
 	// Water whose height adds at the displaced position: slopes along x and z, and foam.
 	vec4 added = dynamic_waves(place.xz, narrow_m);
