@@ -35,7 +35,8 @@ SeaState with_swell(SeaState sea) {
     return sea;
 }
 
-const SeaState ripples{.resolution = 64, .wind_speed_mps = 3, .fetch_m = 5e3};
+/// In its loop each long wave of the swell has a frequency band of its own.
+const SeaState ripples{.resolution = 64, .wind_speed_mps = 3, .fetch_m = 5e3, .loop_period_s = 200};
 const SeaState sea_with_swell = with_swell(ripples);
 
 Forecast from_afar(double distance_m, double over_s) {
