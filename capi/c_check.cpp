@@ -44,7 +44,8 @@ std::string check_options(std::string_view type, const void* options) {
     if (type == "pelagic_spray_emitter")
         return check(emitter_of(read_struct(static_cast<const pelagic_spray_emitter*>(options), "emitter")));
     if (type == "pelagic_wave_system")
-        return check(wave_system_of(needed(static_cast<const pelagic_wave_system*>(options), "system"), ""));
+        return check_wave_system(
+            wave_system_of(needed(static_cast<const pelagic_wave_system*>(options), "system"), ""));
     reject(invalid_value_message("type", type, "the name of a struct of options"));
 }
 

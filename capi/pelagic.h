@@ -165,7 +165,7 @@ typedef struct pelagic_wave_system {
     int32_t spectrum;      /* PELAGIC_SPECTRUM_...; spectrum of the system */
     int32_t spreading;     /* PELAGIC_SPREADING_...; directional spreading, where spread_rad is 0 */
     double wind_speed_mps; /* U10 of the wind of the system; (0, 60] */
-    double fetch_m;        /* distance that this wind has blown over water (jonswap); (0, 2e6] */
+    double fetch_m;        /* distance that it has blown over water (jonswap); (0, 2e6] */
     double height_m;       /* significant wave height, Hm0; [0, 30]. 0: by the wind */
     double peak_period_s;  /* peak period; [1, 40]. 0: by the wind */
     /* Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10]. */

@@ -72,7 +72,8 @@ void read_structs(const T* first, std::size_t count, const std::string& name, Re
 /// it: "system_count is 9, expected 0 to 8".
 /// \param read    as wave_system_of(): from a record, and the prefix of its names in messages
 template <class Record, std::size_t max, class Read>
-auto records_of(const Record (&from)[max], std::int32_t count, std::string_view prefix, std::string_view name, Read read) {
+auto records_of(const Record (&from)[max], std::int32_t count, std::string_view prefix, std::string_view name,
+                Read read) {
     const std::string list = std::string(prefix).append(name), element = list.substr(0, list.size() - 1);
     if (count < 0 || static_cast<std::size_t>(count) > max)
         reject(invalid_value_message(element + "_count", count, "0 to " + number_text(max)));

@@ -66,7 +66,7 @@ struct WaveSystem {
     /// Directional spreading, where spread_rad is 0.
     SpreadingModel spreading = SpreadingModel::donelan_banner;
     double wind_speed_mps = 12;  ///< U10 of the wind of the system; (0, 60]
-    double fetch_m = 100e3;      ///< distance that this wind has blown over water (jonswap); (0, 2e6]
+    double fetch_m = 100e3;      ///< distance that it has blown over water (jonswap); (0, 2e6]
     /// Significant wave height, Hm0; [0, 30]. 0: by the wind.
     double height_m = 0;
     /// Peak period; [1, 40]. 0: by the wind.
@@ -180,7 +180,7 @@ std::span<const NumericField<WaveSystem>> wave_system_fields();
 
 /// Returns an empty string for usable options of a system, else a message about the first invalid
 /// field.
-std::string check(const WaveSystem&);
+std::string check_wave_system(const WaveSystem& system);
 
 /// Returns an empty string for a usable sea, else a message about the first invalid field:
 /// "wind_speed_mps -3 is out of range (0, 60]".

@@ -69,8 +69,10 @@ TEST(WaveSystems, RunWhereTheirDirectionSays) {
 }
 
 TEST(WaveSystems, OfFilesEqualThoseOfTheCommandLine) {
-    const std::vector<WaveSystem> typed = parse_wave_systems({"height=1.2 period=12 from=W spread=15", "direction=-40"});
-    EXPECT_EQ(of_toml("[[system]]\nheight = 1.2\nperiod = \"12s\"\nfrom = \"W\"\nspread = 15\n[[system]]\ndirection = -40\n"),
+    const std::vector<WaveSystem> typed =
+        parse_wave_systems({"height=1.2 period=12 from=W spread=15", "direction=-40"});
+    EXPECT_EQ(of_toml("[[system]]\nheight = 1.2\nperiod = \"12s\"\nfrom = \"W\"\nspread = 15\n"
+                      "[[system]]\ndirection = -40\n"),
               typed);
     EXPECT_EQ(of_json(R"([{"height_m": 1.2, "peak_period_s": 12, "direction_deg": 0, "spread_deg": 15},
                           {"spectrum": "jonswap", "peak_period_s": 0, "direction_deg": -40}])"),
@@ -79,9 +81,26 @@ TEST(WaveSystems, OfFilesEqualThoseOfTheCommandLine) {
     EXPECT_TRUE(of_json("[]").empty());
 }
 
+TEST(WaveSystems, OfATransitionAreTables) {
+    const WeatherConfig weather = parse_weather(
+        "[[system]]\nheight = 1\n[[change]]\nfrom = 0\nover = 9\n[[change.system]]\nheight = 2\n"
+        "[[change.system]]\nfrom = \"W\"\n[[change]]\nsystem = []\n",
+        "weather.toml", keys_of_seas);
+    EXPECT_EQ(wave_systems_of(weather.first.at(0)), parse_wave_systems({"height=1"}));
+    ASSERT_EQ(weather.changes.size(), 2u);
+    const auto systems_in = [](const WeatherConfig::Change& change) {
+        for (const ConfigEntry& entry : change.entries)
+            if (entry.key == list_key) return wave_systems_of(entry);
+        return std::vector<WaveSystem>(1);
+    };
+    EXPECT_EQ(systems_in(weather.changes[0]), parse_wave_systems({"height=2", "from=W"}));
+    EXPECT_TRUE(systems_in(weather.changes[1]).empty());
+}
+
 TEST(WaveSystems, AreWrittenAsTheyAreRead) {
-    for (const char* text : {"height=1.2 period=12 spread=15", "spreading=donelan-banner direction=-123.456789",
-                             "spectrum=phillips wind_speed=7.25 fetch=12345.678 peak_enhancement=1", "spectrum=jonswap"}) {
+    for (const char* text :
+         {"height=1.2 period=12 spread=15", "spreading=donelan-banner direction=-123.456789",
+          "spectrum=phillips wind_speed=7.25 fetch=12345.678 peak_enhancement=1", "spectrum=jonswap"}) {
         const std::vector<WaveSystem> systems = parse_wave_systems({text});
         EXPECT_EQ(text_of(systems[0]), text);
         EXPECT_EQ(parse_wave_systems({text_of(systems[0])}), systems);
@@ -100,14 +119,15 @@ TEST(WaveSystems, OfWrongInputAreRefusedInOneLine) {
     const auto typed = [](const std::string& text) { return message_of([&] { parse_wave_systems({text}); }); };
     EXPECT_EQ(typed("height=-1"), "--system \"height=-1\": height -1 is out of range [0, 30]");
     EXPECT_EQ(typed("heigth=1"),
-              "--system \"heigth=1\": unknown key heigth, expected spectrum, spreading, wind_speed, fetch, height, period, "
-              "peak_enhancement, direction, spread, from or towards (the nearest is height)");
+              "--system \"heigth=1\": unknown key heigth, expected spectrum, spreading, wind_speed, fetch, height, "
+              "period, peak_enhancement, direction, spread, from or towards (the nearest is height)");
     EXPECT_EQ(typed("period=0"),
               "--system \"period=0\": period 0 is out of range [1, 40] s, or with a unit such as 4s, 2min");
     EXPECT_EQ(typed("height=nan"), "--system \"height=nan\": height nan is out of range [0, 30]");
     EXPECT_EQ(typed("spread=90"), "--system \"spread=90\": spread is 90, expected degrees in [1, 80]");
     EXPECT_EQ(typed("from=from-W"),
-              "--system \"from=from-W\": from is from-W, expected degrees in [-360, 360], or one of 16 points such as NW");
+              "--system \"from=from-W\": from is from-W, expected degrees in [-360, 360], or one of 16 points such as "
+              "NW");
     EXPECT_EQ(typed("height=1 height=2"),
               "--system \"height=1 height=2\": height is given after height, expected one of the two");
     EXPECT_EQ(typed("from=W direction=3"),
@@ -128,8 +148,8 @@ TEST(WaveSystems, OfWrongInputAreRefusedInOneLine) {
     const auto json = [](const std::string& text) { return message_of([&] { of_json(text); }); };
     EXPECT_EQ(json("[{\"height_m\": 40}]"), "sea.json: sea.systems: height_m 40 is out of range [0, 30]");
     EXPECT_EQ(json("[{\"from\": 40}]"),
-              "sea.json: sea.systems: unknown key from, expected spectrum, spreading, wind_speed_mps, fetch_m, height_m, "
-              "peak_period_s, peak_enhancement, direction_deg or spread_deg");
+              "sea.json: sea.systems: unknown key from, expected spectrum, spreading, wind_speed_mps, fetch_m, "
+              "height_m, peak_period_s, peak_enhancement, direction_deg or spread_deg");
     EXPECT_EQ(json("[3]"), "sea.json: sea: systems is no list of objects, expected a sea.json of pelagic export");
     EXPECT_EQ(json("3"), "sea.json: sea: systems is no list of objects, expected a sea.json of pelagic export");
 }

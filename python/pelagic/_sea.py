@@ -57,7 +57,7 @@ class WaveSystem:
     wind_speed_mps: float = 12.0
     """U10 of the wind of the system; (0, 60]."""
     fetch_m: float = 100e3
-    """Distance that this wind has blown over water (jonswap); (0, 2e6]."""
+    """Distance that it has blown over water (jonswap); (0, 2e6]."""
     height_m: float = 0.0
     """Significant wave height, Hm0; [0, 30]. 0: by the wind."""
     peak_period_s: float = 0.0

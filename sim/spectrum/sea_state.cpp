@@ -86,7 +86,7 @@ std::span<const SeaStateField> sea_state_fields() { return sea_state_field_table
 
 std::span<const NumericField<WaveSystem>> wave_system_fields() { return wave_system_field_table; }
 
-std::string check(const WaveSystem& system) {
+std::string check_wave_system(const WaveSystem& system) {
     // generated from schema/wave_system.toml: checks
     if (static_cast<std::size_t>(system.spectrum) >= names_of<SpectrumModel>().size())
         return "spectrum is no known model";
@@ -104,7 +104,9 @@ std::string check(const SeaState& sea) {
         return "spectrum is no known model";
     if (static_cast<std::size_t>(sea.spreading) >= names_of<SpreadingModel>().size())
         return "spreading is no known model";
-    if (const std::string reason = check_records("systems", sea.systems, 8); !reason.empty()) return reason;
+    if (const std::string reason = check_records("systems", sea.systems, 8, check_wave_system);
+        !reason.empty())
+        return reason;
     // end of generated
     if (const std::string reason = check_fields(sea, sea_state_field_table); !reason.empty()) return reason;
     if (!sea.systems.empty()) return "systems: not supported yet";

@@ -66,13 +66,13 @@ AROUND_RECORD = (
     // generated from schema/made_up.toml: members
     // end of generated
 };
-std::string check(const MadeUp&);
+std::string check_made_up(const MadeUp&);
 """),
     ("sim/spectrum/sea_state.cpp", "std::string check(const SeaState& sea) {", """constexpr NumericField<MadeUp> made_up_fields[] = {
     // generated from schema/made_up.toml: table
     // end of generated
 };
-std::string check(const MadeUp& up) {
+std::string check_made_up(const MadeUp& up) {
     // generated from schema/made_up.toml: checks
     // end of generated
     return check_fields(up, made_up_fields);

@@ -199,7 +199,9 @@ def checks(schema):
             lines += [f"if (static_cast<std::size_t>({member}) >= names_of<{option.enum.name}>().size())",
                       f'    return "{option.name} is no known model";']
         if option.records:
-            lines += [f'if (const std::string reason = check_records("{option.name}", {member}, {option.max}); !reason.empty()) return reason;']
+            check = f"check_{cpp_reader(option.records).removesuffix('_of')}"
+            lines += [f'if (const std::string reason = check_records("{option.name}", {member}, {option.max}, {check});', "    !reason.empty())",
+                      "    return reason;"]
     return lines
 
 

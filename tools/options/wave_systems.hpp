@@ -1,5 +1,5 @@
-// The wave systems of a sea, as on the command line, "height=1.2 period=12 from=W spread=15", and as
-// tables [[system]] of a TOML file or objects of a sea.json.
+// The wave systems of a sea: on the command line "height=1.2 period=12 from=W spread=15", in a TOML
+// file tables [[system]], and in a sea.json objects.
 #pragma once
 
 #include <string>

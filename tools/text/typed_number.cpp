@@ -8,8 +8,8 @@ namespace pelagic::tools {
 double degrees_of(double radians) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double quotient = radians / radians_per_degree;
-    for (const double degrees :
-         {std::round(1e6 * quotient) / 1e6, quotient, std::nextafter(quotient, infinity), std::nextafter(quotient, -infinity)})
+    for (const double degrees : {std::round(1e6 * quotient) / 1e6, quotient, std::nextafter(quotient, infinity),
+                                 std::nextafter(quotient, -infinity)})
         if (degrees * radians_per_degree == radians) return degrees;
     return quotient;
 }

@@ -1,5 +1,5 @@
-// Numeric options as users type them, by the names of their fields: directions and speeds have words,
-// durations have units, and angles are in degrees.
+// Numeric options as users type them, by the names of their fields: directions may be compass
+// points, speeds and durations may have units, and angles are in degrees.
 #pragma once
 
 #include <numbers>

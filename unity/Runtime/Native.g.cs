@@ -153,7 +153,7 @@ namespace Pelagic
         public Spreading Spreading;
         /// <summary>U10 of the wind of the system; (0, 60]</summary>
         public double WindSpeedMps;
-        /// <summary>distance that this wind has blown over water (jonswap); (0, 2e6]</summary>
+        /// <summary>distance that it has blown over water (jonswap); (0, 2e6]</summary>
         public double FetchM;
         /// <summary>significant wave height, Hm0; [0, 30]. 0: by the wind</summary>
         public double HeightM;

@@ -44,7 +44,8 @@ class ObjectReader {
     void take_fields(Options& options, std::span<const NumericField<Options>> fields) {
         for (const NumericField<Options>& field : fields) {
             const std::string name = camel_case(field.name);
-            if (const emscripten::val value = take(name); !value.isUndefined()) set_field(options, field, prefix_ + name, value);
+            const emscripten::val value = take(name);
+            if (!value.isUndefined()) set_field(options, field, prefix_ + name, value);
         }
     }
 

@@ -20,7 +20,7 @@ export interface WaveSystem {
   spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
   /** U10 of the wind of the system, metres per second: (0, 60]. Default 12. */
   windSpeedMps?: number;
-  /** Distance that this wind has blown over water (jonswap), metres: (0, 2e6]. Default 100000. */
+  /** Distance that it has blown over water (jonswap), metres: (0, 2e6]. Default 100000. */
   fetchM?: number;
   /** Significant wave height, Hm0, metres: [0, 30]. 0: by the wind. Default 0. */
   heightM?: number;
