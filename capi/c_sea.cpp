@@ -17,6 +17,7 @@ namespace {
 static_assert(PELAGIC_WAVES_SPECTRUM == static_cast<int>(WaveModel::spectrum));
 static_assert(PELAGIC_WAVES_ANALYTIC == static_cast<int>(WaveModel::analytic));
 static_assert(PELAGIC_WAVES_POND == static_cast<int>(WaveModel::pond));
+static_assert(PELAGIC_WAVES_REGULAR == static_cast<int>(WaveModel::regular));
 static_assert(PELAGIC_SPECTRUM_PHILLIPS_PAPER == static_cast<int>(SpectrumModel::phillips_paper));
 static_assert(PELAGIC_SPECTRUM_PHILLIPS == static_cast<int>(SpectrumModel::phillips));
 static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumModel::pierson_moskowitz));
@@ -74,6 +75,9 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.wave_strength = from.wave_strength;
     to.wave_height_m = from.wave_height_m == -1 ? 0 : from.wave_height_m;
     to.wave_drag = from.wave_drag;
+    to.regular_height_m = from.regular_height_m;
+    to.regular_period_s = from.regular_period_s;
+    to.order = from.order;
     to.system_count = write_records(from.systems, to.systems, c_wave_system_of);
     // end of generated
     return to;
@@ -142,6 +146,9 @@ SeaState sea_of(const pelagic_sea* pointer) {
     to.wave_strength = from.wave_strength;
     to.wave_height_m = from.wave_height_m == 0 ? -1 : from.wave_height_m;
     to.wave_drag = from.wave_drag;
+    to.regular_height_m = from.regular_height_m;
+    to.regular_period_s = from.regular_period_s;
+    to.order = from.order;
     to.systems = records_of(from.systems, from.system_count, prefix, "systems", wave_system_of);
     // end of generated
     return to;

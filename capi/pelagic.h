@@ -142,7 +142,7 @@ PELAGIC_API void pelagic_set_error_callback(pelagic_error_callback callback, voi
 /* ---- The sea --------------------------------------------------------------------------------- */
 
 /* generated from schema/sea.toml: c-enumerations */
-enum { PELAGIC_WAVES_SPECTRUM = 0, PELAGIC_WAVES_ANALYTIC = 1, PELAGIC_WAVES_POND = 2 };
+enum { PELAGIC_WAVES_SPECTRUM = 0, PELAGIC_WAVES_ANALYTIC = 1, PELAGIC_WAVES_POND = 2, PELAGIC_WAVES_REGULAR = 3 };
 
 enum {
     PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0,    /* scaled as in VR Ocean, without a swell */
@@ -184,9 +184,10 @@ static inline pelagic_wave_system pelagic_wave_system_make(void) {
 /* generated from schema/sea.toml: c-struct */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, lean,
-     * short_wave_cutoff, wind_alignment, the swell and seed. Only the other models use wave_count and the options
-     * after it. All models use the wind, whose direction is that of their waves. */
+    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, lean, short_wave_cutoff,
+     * wind_alignment, the swell, systems and seed, and only a spectrum and a regular wave depth_m. Only the other
+     * models use wave_count and the options after it. All models use the wind, whose direction is that of their
+     * waves. */
     int32_t waves;
     int32_t spectrum; /* PELAGIC_SPECTRUM_...; wave spectrum */
     /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper has paper, whatever this is by
@@ -201,6 +202,9 @@ typedef struct pelagic_sea {
     uint32_t seed; /* seed of the random phases and amplitudes */
     /* Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves. */
     int32_t wave_count;
+    /* Order of Stokes' expansion of a regular wave; 1 or 2. 2 adds the second harmonic that choppiness does not
+     * make. */
+    int32_t order;
     int32_t system_count; /* number of systems; 0 to 8 */
     /* L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived from the sea. */
     double patch_size_m;
@@ -243,17 +247,19 @@ typedef struct pelagic_sea {
     /* Significant wave height of an analytic sea or a pond; [0, 30]. 0: from wave_strength, of a pond 0.017
      * longest_wave_m. Of a pond it is above 0. */
     double wave_height_m;
-    double wave_drag; /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
+    double wave_drag;        /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
+    double regular_height_m; /* height of a regular wave from trough to crest; (0, 60] */
+    double regular_period_s; /* period of a regular wave; [0.2, 60]. loop_period_s is a whole number of them */
     /* Wave systems, in addition to the waves of the wind and the swell; at most 8. */
     pelagic_wave_system systems[8];
 } pelagic_sea;
 static inline pelagic_sea pelagic_sea_make(void) {
     PELAGIC_ZEROS(pelagic_sea, sea); sea.spectrum = PELAGIC_SPECTRUM_JONSWAP;
-    sea.spreading = PELAGIC_SPREADING_DONELAN_BANNER; sea.seed = 1; sea.wind_speed_mps = 12;
+    sea.spreading = PELAGIC_SPREADING_DONELAN_BANNER; sea.seed = 1; sea.order = 1; sea.wind_speed_mps = 12;
     sea.fetch_m = 100e3; sea.peak_enhancement = 3.3; sea.depth_m = 4000; sea.choppiness = 0.8;
     sea.roughness = -1; sea.wind_alignment = 0.5; sea.swell_period_s = 12;
     sea.swell_spread_rad = 0.26179938779914943; sea.loop_period_s = 3600; sea.wave_strength = 1;
-    sea.wave_drag = 0.38; return sea;
+    sea.wave_drag = 0.38; sea.regular_height_m = 2; sea.regular_period_s = 8; return sea;
 }
 /* end of generated */
 

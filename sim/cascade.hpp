@@ -71,8 +71,8 @@ struct CascadeGrid {
     }
 };
 
-/// Bounds of a cascade's horizontal contraction, for queries of frames with several cascades
-/// (buffers/contraction_map.hpp).
+/// Bounds of a cascade's horizontal contraction, for queries of frames with several cascades or a
+/// rotated one (buffers/contraction_map.hpp).
 struct ContractionBound {
     /// The byte that stands for 1. The largest byte, 255, stands for 255 / one or more.
     static constexpr int one = 160;
@@ -110,9 +110,9 @@ struct Cascade {
     /// unless OceanOptions::velocities is set.
     PlaneView velocity_x, velocity_y, velocity_z;
     /// Fold map: where the surface may intersect itself, for queries (buffers/fold_map.hpp). Empty
-    /// without OceanOptions::queries, and if the sea has more cascades than one.
+    /// without OceanOptions::queries, and if the sea has more cascades than one or a regular wave.
     std::span<const std::uint8_t> folds;
-    ContractionBound contraction;  ///< replaces `folds` in a stack of cascades
+    ContractionBound contraction;  ///< replaces `folds` otherwise
     /// resolution^2 texels of four IEEE half floats in tight rows: Dx, height, Dz, 0.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// A chain of mip_levels() levels with one texel in a word: normal x, normal z, Jacobian,

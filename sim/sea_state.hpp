@@ -14,12 +14,13 @@
 namespace pelagic {
 
 // generated from schema/sea.toml: enumerations
-/// Wave model: the spectrum of a wind; up to 64 analytic waves (analytic/analytic_sea.hpp); or
-/// procedural pond waves, octaves of exp(sin - 1) (analytic/pond_waves.hpp).
-enum class WaveModel { spectrum, analytic, pond };
+/// Wave model: the spectrum of a wind; up to 64 analytic waves (analytic/analytic_sea.hpp);
+/// procedural pond waves, octaves of exp(sin - 1) (analytic/pond_waves.hpp); or one regular
+/// wave, exact in length and period.
+enum class WaveModel { spectrum, analytic, pond, regular };
 template <>
 struct EnumNames<WaveModel> {
-    static constexpr std::array<std::string_view, 3> all = {"spectrum", "analytic", "pond"};
+    static constexpr std::array<std::string_view, 4> all = {"spectrum", "analytic", "pond", "regular"};
 };
 
 enum class SpectrumModel {
@@ -87,9 +88,10 @@ struct WaveSystem {
 /// checks them.
 struct SeaState {
     // generated from schema/sea.toml: members
-    /// Wave model. Only a spectrum uses spectrum, spreading, fetch_m, depth_m, lean,
-    /// short_wave_cutoff, wind_alignment, the swell and seed. Only the other models use wave_count
-    /// and the options after it. All models use the wind, whose direction is that of their waves.
+    /// Wave model. Only a spectrum uses spectrum, spreading, fetch_m, lean, short_wave_cutoff,
+    /// wind_alignment, the swell, systems and seed, and only a spectrum and a regular wave depth_m.
+    /// Only the other models use wave_count and the options after it. All models use the wind,
+    /// whose direction is that of their waves.
     WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;  ///< wave spectrum
     /// Directional spreading. The spectrum phillips-paper has paper, whatever this is by default.
@@ -153,7 +155,13 @@ struct SeaState {
     /// Significant wave height of an analytic sea or a pond; [0, 30]. -1: from wave_strength, of a
     /// pond 0.017 longest_wave_m. Of a pond it is above 0.
     double wave_height_m = -1;
-    double wave_drag = 0.38;  ///< horizontal drag of a pond's short waves by its long ones; [0, 1]
+    double wave_drag = 0.38;      ///< horizontal drag of a pond's short waves by its long ones; [0, 1]
+    double regular_height_m = 2;  ///< height of a regular wave from trough to crest; (0, 60]
+    /// Period of a regular wave; [0.2, 60]. loop_period_s is a whole number of them.
+    double regular_period_s = 8;
+    /// Order of Stokes' expansion of a regular wave; 1 or 2. 2 adds the second harmonic that
+    /// choppiness does not make.
+    int order = 1;
     /// Wave systems, in addition to the waves of the wind and the swell; at most 8.
     std::vector<WaveSystem> systems = {};
     // end of generated
@@ -168,6 +176,9 @@ SpreadingModel spreading_of(const SeaState& sea);
 /// Returns whether the sea has one cascade because patch_size_m is set or its model has only one.
 /// \pre check(sea) is empty
 bool is_limited_to_one_cascade(const SeaState& sea);
+/// Returns whether the waves are a pond's or a regular wave: an ocean of these takes no sea of
+/// another model, and they have no transitions.
+bool is_of_fixed_model(const SeaState& sea);
 /// Returns whether the waves are those of the spectrum phillips-paper.
 bool is_phillips_paper(const SeaState& sea);
 
@@ -188,7 +199,8 @@ std::string check_wave_system(const WaveSystem& system);
 /// phillips-paper has no physical height for a swell to be added to, and only its own spreading.
 /// Only a spectrum has a swell. For the other models patch_size_m must be at least the longest
 /// wavelength. Analytic waves, as the cascades hold them, must not be steeper than 0.4
-/// (max_steepness).
+/// (max_steepness). The loop holds whole periods of a regular wave, which is no higher than breaking
+/// (Miche 1944); at order 2 its second harmonic is at most half of the first.
 std::string check(const SeaState&);
 
 /// A named sea: sea states, mildest first, and then the open sea of each wind force, beaufort-0 to

@@ -357,7 +357,7 @@ TEST(AnalyticCascades, InvalidOptionsAreNamed) {
     };
     EXPECT_EQ(check(moderate), "");
     EXPECT_EQ(check(pond), "");
-    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.waves = static_cast<WaveModel>(3); }),
+    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.waves = static_cast<WaveModel>(4); }),
               "waves is no known model");
     EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.wave_height_m = 6; }).substr(0, 14), "steepness is 0");
     EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.patch_size_m = 100; }),

@@ -138,14 +138,16 @@ std::vector<BadInput> bad_inputs() {
           "rough, "
           "analytic-intense, storm or beaufort-0 to beaufort-12\n"}},
         {{"info", "--preset", "beufort-12"}, {"beaufort-0 to beaufort-12 (the nearest is beaufort-12)\n"}},
-        {{"info", "--waves", "pon"}, {"--waves is pon, expected spectrum, analytic or pond (the nearest is pond)\n"}},
+        {{"info", "--waves", "pon"},
+         {"--waves is pon, expected spectrum, analytic, pond or regular (the nearest is pond)\n"}},
         // Options that have no effect, and values of 0 that are out of range.
         {{"export", "--out", "OUT", "--wave-height", "3"},
          {"--wave-height is 3; it requires --waves analytic or pond"}},
         {{"query", "--waves", "pond", "--wave-strength", "1"},
          {"--wave-strength is 1; it requires --waves analytic\n"}},
         {{"info", "--waves", "analytic", "--wave-drag", "0"}, {"--wave-drag is 0; it requires --waves pond"}},
-        {{"info", "--preset", "pond", "--choppiness", "0.5"}, {"--choppiness is 0.5; it requires --waves spectrum or"}},
+        {{"info", "--preset", "pond", "--choppiness", "0.5"},
+         {"--choppiness is 0.5; it requires --waves spectrum, analytic or regular"}},
         {{"info", "--waves", "analytic", "--seed", "2"}, {"--seed is 2; it requires --waves spectrum"}},
         {{"info", "--spectrum", "pierson-moskowitz", "--fetch", "1e5"},
          {"--fetch is 1e5; it requires --spectrum jonswap"}},

@@ -193,7 +193,9 @@ constexpr Named<pelagic_sea> sea_fields[] = {{"patch_size_m", &pelagic_sea::patc
                                              {"shortest_wave_m", &pelagic_sea::shortest_wave_m},
                                              {"wave_strength", &pelagic_sea::wave_strength},
                                              {"wave_height_m", &pelagic_sea::wave_height_m},
-                                             {"wave_drag", &pelagic_sea::wave_drag}};
+                                             {"wave_drag", &pelagic_sea::wave_drag},
+                                             {"regular_height_m", &pelagic_sea::regular_height_m},
+                                             {"regular_period_s", &pelagic_sea::regular_period_s}};
 
 struct Kind {
     const char* name;
@@ -207,7 +209,8 @@ constexpr Kind kinds[] = {
     {"phillips", PELAGIC_WAVES_SPECTRUM, PELAGIC_SPECTRUM_PHILLIPS, PELAGIC_SPREADING_DONELAN_BANNER, true},
     {"phillips-paper", PELAGIC_WAVES_SPECTRUM, PELAGIC_SPECTRUM_PHILLIPS_PAPER, PELAGIC_SPREADING_PAPER, true},
     {"analytic", PELAGIC_WAVES_ANALYTIC, PELAGIC_SPECTRUM_JONSWAP, PELAGIC_SPREADING_PAPER},
-    {"pond", PELAGIC_WAVES_POND, PELAGIC_SPECTRUM_JONSWAP, PELAGIC_SPREADING_PAPER}};
+    {"pond", PELAGIC_WAVES_POND, PELAGIC_SPECTRUM_JONSWAP, PELAGIC_SPREADING_PAPER},
+    {"regular", PELAGIC_WAVES_REGULAR, PELAGIC_SPECTRUM_JONSWAP, PELAGIC_SPREADING_PAPER}};
 
 pelagic_sea sea_of(const Kind& kind) {
     auto sea = pelagic_sea_make();

@@ -112,7 +112,8 @@ TEST(SeaReport, AgreesWithTheSingleStatistics) {
 TEST(SeaReport, OfExpectedWavesHasTheExpectedStatisticsAndWarnings) {
     for (const SeaState& sea : {SeaState{.resolution = 64}, SeaState{.resolution = 64, .swell_height_m = 2},
                                 SeaState{.resolution = 64, .wind_speed_mps = 20, .loop_period_s = 20},
-                                SeaState{.waves = WaveModel::analytic}, SeaState{.waves = WaveModel::pond}}) {
+                                SeaState{.waves = WaveModel::analytic}, SeaState{.waves = WaveModel::pond},
+                                SeaState{.waves = WaveModel::regular}}) {
         const SeaReport all = report_on(sea), expected = expected_report_on(sea);
         EXPECT_EQ(expected.expected.significant_wave_height_m, all.expected.significant_wave_height_m);
         EXPECT_EQ(expected.expected_periods.tm02_s, all.expected_periods.tm02_s);

@@ -49,7 +49,7 @@ void choose_preset(SeaState& sea) {
     choose("sea state", "choose ...", sea_presets(), [&](const SeaPreset& preset) {
         const SeaState before = sea;
         sea = preset.sea;
-        if ((before.waves == WaveModel::pond) != (sea.waves == WaveModel::pond)) return;
+        if (before.waves != sea.waves && (is_of_fixed_model(before) || is_of_fixed_model(sea))) return;
         sea.resolution = before.resolution;  // the renderer keeps its textures
         sea.cascades = before.cascades;
         sea.patch_size_m = before.patch_size_m;

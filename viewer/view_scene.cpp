@@ -76,7 +76,7 @@ bool ViewScene::starts_transition(double time_s) {
 bool ViewScene::ocean_supports(const SeaState& sea) const {
     return !options_.shore && cascades_of(sea) == static_cast<int>(ocean_->cascade_count()) &&
            resolution_of(sea) == ocean_->resolution() &&
-           (sea.waves == WaveModel::pond) == (ocean_->sea().waves == WaveModel::pond);
+           (sea.waves == ocean_->sea().waves || !(is_of_fixed_model(sea) || is_of_fixed_model(ocean_->sea())));
 }
 
 void ViewScene::create_ocean(double time_s, const std::vector<SeaChange>& changes) {

@@ -13,6 +13,7 @@ PELAGIC_APPLICATION_ERROR = 6
 PELAGIC_WAVES_SPECTRUM = 0
 PELAGIC_WAVES_ANALYTIC = 1
 PELAGIC_WAVES_POND = 2
+PELAGIC_WAVES_REGULAR = 3
 PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0
 PELAGIC_SPECTRUM_PHILLIPS = 1
 PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2
@@ -70,6 +71,7 @@ class pelagic_sea(ctypes.Structure):
         ("resolution", c_int32),
         ("seed", c_uint32),
         ("wave_count", c_int32),
+        ("order", c_int32),
         ("system_count", c_int32),
         ("patch_size_m", c_double),
         ("wind_speed_mps", c_double),
@@ -92,6 +94,8 @@ class pelagic_sea(ctypes.Structure):
         ("wave_strength", c_double),
         ("wave_height_m", c_double),
         ("wave_drag", c_double),
+        ("regular_height_m", c_double),
+        ("regular_period_s", c_double),
         ("systems", pelagic_wave_system * 8),
     ]
 
@@ -721,6 +725,7 @@ DEFAULTS: Dict[Any, Dict[str, Any]] = {
         "spectrum": PELAGIC_SPECTRUM_JONSWAP,
         "spreading": PELAGIC_SPREADING_DONELAN_BANNER,
         "seed": 1,
+        "order": 1,
         "wind_speed_mps": 12,
         "fetch_m": 100e3,
         "peak_enhancement": 3.3,
@@ -733,6 +738,8 @@ DEFAULTS: Dict[Any, Dict[str, Any]] = {
         "loop_period_s": 3600,
         "wave_strength": 1,
         "wave_drag": 0.38,
+        "regular_height_m": 2,
+        "regular_period_s": 8,
     },
     pelagic_dynamic_waves_options: {
         "resolution": 256,

@@ -93,10 +93,10 @@ class Sea:
 
     # generated from schema/sea.toml: python-fields
     waves: str = "spectrum"
-    """Wave model: "spectrum", "analytic", "pond". Only a spectrum uses spectrum, spreading,
-    fetch_m, depth_m, lean, short_wave_cutoff, wind_alignment, the swell and seed. Only the other
-    models use wave_count and the options after it. All models use the wind, whose direction is that
-    of their waves."""
+    """Wave model: "spectrum", "analytic", "pond", "regular". Only a spectrum uses spectrum,
+    spreading, fetch_m, lean, short_wave_cutoff, wind_alignment, the swell, systems and seed, and
+    only a spectrum and a regular wave depth_m. Only the other models use wave_count and the options
+    after it. All models use the wind, whose direction is that of their waves."""
     spectrum: str = "jonswap"
     """Wave spectrum: "phillips-paper" (scaled as in VR Ocean, without a swell), "phillips"
     (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
@@ -172,6 +172,13 @@ class Sea:
     pond 0.017 longest_wave_m. Of a pond it is above 0."""
     wave_drag: float = 0.38
     """Horizontal drag of a pond's short waves by its long ones; [0, 1]."""
+    regular_height_m: float = 2.0
+    """Height of a regular wave from trough to crest; (0, 60]."""
+    regular_period_s: float = 8.0
+    """Period of a regular wave; [0.2, 60]. loop_period_s is a whole number of them."""
+    order: int = 1
+    """Order of Stokes' expansion of a regular wave; 1 or 2. 2 adds the second harmonic that
+    choppiness does not make."""
     systems: tuple[WaveSystem, ...] = ()
     """Wave systems, in addition to the waves of the wind and the swell; at most 8."""
     # end of generated

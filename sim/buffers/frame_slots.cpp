@@ -53,7 +53,7 @@ Cascade views_of(const CascadeBuffers& buffers, int n, std::size_t lanes) {
 
 }  // namespace
 
-CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, const FrameContents& contents,
+CascadeBuffers::CascadeBuffers(bool is_one, int n, std::size_t lanes, const FrameContents& contents,
                                const Allocator& memory)
     : surface(contents.planes ? surface_floats(n, lanes) : 0, memory),
       velocity(contents.velocities ? surface_floats(n, lanes) : 0, memory),
@@ -62,8 +62,8 @@ CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, c
       slopes(contents.slopes ? mip_offset(n, mip_levels(n)) : 0, memory),
       moments(slopes.size(), memory),
       compression(contents.foam ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0, memory) {
-    if (contents.queries && cascades == 1) folds.emplace(n, memory);
-    if (contents.queries && cascades > 1) contraction.emplace(n, memory);
+    if (contents.queries && is_one) folds.emplace(n, memory);
+    if (contents.queries && !is_one) contraction.emplace(n, memory);
 }
 
 std::size_t CascadeBuffers::bytes() const {
@@ -73,12 +73,13 @@ std::size_t CascadeBuffers::bytes() const {
 }
 
 FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameContents& contents,
-                       const Allocator& memory)
+                       const Allocator& memory, bool is_rotated)
     : contents_(contents), memory_(memory) {
+    const bool is_one = cascades == 1 && !is_rotated;
     for (Slot& slot : slots_) {
         slot.buffers.reserve(cascades);  // views point into the elements
         for (std::size_t i = 0; i < cascades; ++i) {
-            CascadeBuffers& buffers = slot.buffers.emplace_back(cascades, resolution, lanes, contents, memory);
+            CascadeBuffers& buffers = slot.buffers.emplace_back(is_one, resolution, lanes, contents, memory);
             slot.cascades.push_back(views_of(buffers, resolution, lanes));
             slot.own_textures.push_back(textures_in(buffers, resolution));
         }

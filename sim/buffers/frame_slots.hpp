@@ -20,9 +20,9 @@ namespace pelagic {
 
 /// The buffers of a cascade of a frame.
 struct CascadeBuffers {
-    /// \param cascades  number of cascades of the frame
+    /// \param is_one  whether the frame has one cascade, along the world's axes
     /// \param lanes  Kernels::lanes of the instruction set that computes the frame
-    CascadeBuffers(std::size_t cascades, int resolution, std::size_t lanes, const FrameContents& contents,
+    CascadeBuffers(bool is_one, int resolution, std::size_t lanes, const FrameContents& contents,
                    const Allocator& memory);
     std::size_t bytes() const;
 
@@ -30,8 +30,8 @@ struct CascadeBuffers {
     AlignedBuffer<float> surface;
     /// Time derivative of `surface`, if FrameContents::velocities.
     AlignedBuffer<float> velocity;
-    std::optional<FoldMap> folds;               ///< if FrameContents::queries, in a sea of 1 cascade
-    std::optional<ContractionMap> contraction;  ///< if FrameContents::queries, in a stack
+    std::optional<FoldMap> folds;               ///< if FrameContents::queries, of one cascade
+    std::optional<ContractionMap> contraction;  ///< if FrameContents::queries, else
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameContents::gradients
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameContents::slopes
@@ -44,7 +44,7 @@ class FrameSlots {
     /// \param cascades  number of cascades, of resolution^2 texels each
     /// \param memory  for all buffers whose size grows with N^2
     FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameContents& contents,
-               const Allocator& memory = {});
+               const Allocator& memory = {}, bool is_rotated = false);
     FrameSlots(const FrameSlots&) = delete;  // frames hold pointers into the slots
     FrameSlots& operator=(const FrameSlots&) = delete;
 

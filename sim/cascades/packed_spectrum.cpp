@@ -140,7 +140,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
             if (!waves.holds(m, n)) continue;  // amplitude 0
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
-            const double frequency = angular_frequency(k, waves.water());
+            const double frequency = waves.frequency(k);
             const std::uint32_t periods = loop_harmonic(frequency, sea.loop_period_s);
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);

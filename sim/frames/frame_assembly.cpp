@@ -19,7 +19,7 @@ FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameConte
     : isa_(isa),
       weather_(forecast),
       slots_(cascade_count_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, contents,
-             memory),
+             memory, forecast.first.waves == WaveModel::regular),
       at_tick_(slots_.cascade_count()) {
     for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade) {
         sources_.push_back(source_of(forecast.first.waves, cascade));

@@ -204,7 +204,7 @@ void Ocean::schedule_sea(const SeaState& sea) {
     if (resolution_of(sea) != resolution())
         throw std::invalid_argument(invalid_value_message("resolution", resolution_of(sea),
                                                           number_text(resolution()) + ", as the ocean was built"));
-    if ((sea.waves == WaveModel::pond) != (this->sea().waves == WaveModel::pond))
+    if (sea.waves != this->sea().waves && (is_of_fixed_model(sea) || is_of_fixed_model(this->sea())))
         throw std::invalid_argument(invalid_value_message(
             "waves", name_of(sea.waves), std::string(name_of(this->sea().waves)) + ", as the ocean was built"));
     state_->baker.begin_other(sea);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -72,10 +71,8 @@ SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& option
     if (!(options.tolerance_m > 0))
         throw std::invalid_argument(
             invalid_value_message("tolerance_m", options.tolerance_m, "a number above 0"));
-    assert(frame.cascades.size() > 1 || !frame.cascades.front().grid.is_rotated());
-    const bool is_one = frame.cascades.size() == 1;
     for (const Cascade& cascade : frame.cascades)
-        if (is_one ? cascade.folds.empty() : cascade.contraction.empty())
+        if (cascade.folds.empty() && cascade.contraction.empty())
             throw std::invalid_argument(
                 "the frame cannot be queried: the ocean was created without OceanOptions::queries");
     for (float FrameBounds::*const height : {&FrameBounds::height_min_m, &FrameBounds::height_max_m})
@@ -149,7 +146,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             if (!all_have_samples) remove_missing(points, samples, chunk);
         }
     };
-    if (frame_.cascades.size() == 1)
+    if (frame_.cascades.front().contraction.empty())
         sample_with(OneCascadeQuery(frame_, *kernels_, options_));
     else
         sample_with(StackQuery(frame_, *kernels_, options_));

@@ -126,7 +126,7 @@ class FreeSteps {
           error_m_(2 * query.tolerance_m()) {
         const DynamicWavesView& dynamic_waves = query.frame().dynamic_waves;
         const ShoreSurface& shore = query.frame().shore;
-        if (query.frame().cascades.size() > 1)
+        if (!query.frame().cascades.front().contraction.empty())
             change_.emplace(
                 query.frame().cascades,
                 static_cast<double>(dynamic_waves.bounds.height_max_m - dynamic_waves.bounds.height_min_m) +

@@ -59,7 +59,7 @@ std::string check(const ShoreOptions& options) {
 
 std::string check(const ShoreOptions& options, const SeaState& sea) {
     if (std::string reason = check(options); !reason.empty()) return reason;
-    if (sea.waves == WaveModel::pond)
+    if (is_of_fixed_model(sea))
         return invalid_value_message("waves", name_of(sea.waves), "spectrum or analytic where there is a shore");
     if (is_phillips_paper(sea))
         return invalid_value_message("spectrum", name_of(sea.spectrum),

@@ -40,6 +40,9 @@ CascadeWaves::CascadeWaves(const SeaState& sea, const CascadePlan& cascade) : se
     } else {
         list_ = grid_waves(sea, cascade);
         std::stable_sort(list_.begin(), list_.end(), stands_before);
+        if (sea.waves != WaveModel::regular) return;
+        listed_water_ = Water(sea.depth_m);
+        regular_ = stokes_wave_of(sea);
     }
 }
 

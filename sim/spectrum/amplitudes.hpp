@@ -38,7 +38,12 @@ class CascadeWaves {
     /// \pre sea.waves is spectrum
     const WaveSpectrum& spectrum() const { return *spectrum_; }
     /// Returns depth and surface tension for the dispersion relation.
-    const Water& water() const { return spectrum_ ? spectrum_->water() : deep_water; }
+    const Water& water() const { return spectrum_ ? spectrum_->water() : listed_water_; }
+    /// Returns the frequency of a wave number, in rad/s. The second harmonic of a regular wave is bound
+    /// to it: its frequency is twice that of the wave. \pre k > 0
+    double frequency(double k) const {
+        return regular_ && k > 1.5 * regular_->k ? 2 * regular_->omega : angular_frequency(k, water());
+    }
 
     /// Returns the lean of waves of wave number k in rad/m, 0 for listed waves.
     double lean(double k) const { return spectrum_ ? spectrum_->lean(k) : 0; }
@@ -84,6 +89,8 @@ class CascadeWaves {
     CascadePlan cascade_;
     std::optional<WaveSpectrum> spectrum_;  ///< if empty, list_ holds all waves
     std::vector<GridWave> list_;            ///< sorted by grid index
+    Water listed_water_ = deep_water;       ///< of the listed waves
+    std::optional<StokesWave> regular_;     ///< of a regular sea
 };
 
 }  // namespace pelagic

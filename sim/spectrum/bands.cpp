@@ -151,6 +151,13 @@ std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& rea
     const DefaultFloatEnvironment environment;
     if (is_stack(sea) && sea.waves == WaveModel::analytic) return with_few_waves(plan_stack(sea, reach, own.end_k));
     if (is_stack(sea)) return plan_stack(sea, reach, own.end_k);
+    if (sea.waves == WaveModel::regular) {
+        const auto along = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
+        return {{.grid = {.side_m = regular_waves_per_side(sea) * two_pi / stokes_wave_of(sea).k,
+                          .cosine = along.cosine,
+                          .sine = along.sine},
+                 .resolution = resolution_of(sea)}};
+    }
     const double chosen_m = sea.waves == WaveModel::pond ? pond_side_m(sea) : papers_side_m;
     return {
         {.grid = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m}, .resolution = resolution_of(sea)}};

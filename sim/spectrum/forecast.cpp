@@ -36,9 +36,11 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     };
     if (first.waves != sea.waves) return refused("waves", name_of(sea.waves), std::string(name_of(first.waves)));
     // Octaves of a pond displace one another, so they have no independent energies to blend.
-    if (sea.waves == WaveModel::pond)
+    if (is_of_fixed_model(sea))
         return invalid_value_message(of_change("waves", number), name_of(sea.waves),
-                                     "spectrum or analytic: a pond does not change");
+                                     std::string("spectrum or analytic: a ") +
+                                         (sea.waves == WaveModel::pond ? "pond" : "regular wave") +
+                                         " does not change");
     if (is_phillips_paper(first) != is_phillips_paper(sea))
         return refused("spectrum", name_of(sea.spectrum),
                        is_phillips_paper(first) ? "phillips-paper" : "a physical one");

@@ -40,6 +40,9 @@ constexpr SeaStateField sea_state_field_table[] = {
     {"wave_strength", &SeaState::wave_strength, 0, 2, "[0, 2]"},
     {"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], or -1: chosen", Restriction::none, -1},
     {"wave_drag", &SeaState::wave_drag, 0, 1, "[0, 1]"},
+    {"regular_height_m", &SeaState::regular_height_m, 0, 60, "(0, 60]", Restriction::above_min},
+    {"regular_period_s", &SeaState::regular_period_s, 0.2, 60, "[0.2, 60]"},
+    {"order", &SeaState::order, 1, 2, "1 or 2"},
     // end of generated
 };
 
@@ -62,8 +65,12 @@ bool is_phillips_paper(const SeaState& sea) {
     return sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::phillips_paper;
 }
 
+bool is_of_fixed_model(const SeaState& sea) {
+    return sea.waves == WaveModel::pond || sea.waves == WaveModel::regular;
+}
+
 bool is_limited_to_one_cascade(const SeaState& sea) {
-    return sea.patch_size_m > 0 || is_phillips_paper(sea) || sea.waves == WaveModel::pond;
+    return sea.patch_size_m > 0 || is_phillips_paper(sea) || is_of_fixed_model(sea);
 }
 
 int cascades_of(const SeaState& sea) {
@@ -116,8 +123,9 @@ std::string check(const SeaState& sea) {
             return invalid_value_message("cascades", sea.cascades, "1 where the side of the cascade is given");
         if (is_papers)
             return invalid_value_message("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
-        if (sea.waves == WaveModel::pond)
-            return invalid_value_message("cascades", sea.cascades, "1 where waves is pond");
+        if (is_of_fixed_model(sea))
+            return invalid_value_message("cascades", sea.cascades,
+                                         "1 where waves is " + std::string(name_of(sea.waves)));
         if (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks)
             return invalid_value_message("cascades", sea.cascades,
                                          "1 where the resolution is " + number_text(sea.resolution));

@@ -154,7 +154,7 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Contents conte
             add_pair(variances.plus, of_wind.plus, m, n, k, here);
             if (m > 0 && n > 0) add_pair(variances.minus, of_wind.minus, -m, n, k, here);
             if (!(here.expected > 0)) continue;
-            const double omega = angular_frequency(k, water);
+            const double omega = waves.frequency(k);
             const double horizontal = sea.choppiness * orbit_ratio(k, water.depth_m) * k;
             sums.add_expected(omega / two_pi, here.expected);
             sums.expected_convergence += here.expected * (horizontal * horizontal);
@@ -221,6 +221,11 @@ ModelWaves model_waves_of_list(const SeaState& sea) {
         const PondOctave& first = octaves.front();
         return {.peak = {two_pi * first.turns_per_m(), two_pi * first.frequency_hz},
                 .significant_wave_height_m = 4 * std::sqrt(pond_variance * squares)};
+    }
+    if (sea.waves == WaveModel::regular) {
+        const StokesWave wave = stokes_wave_of(sea);
+        const double squares = wave.amplitude_m * wave.amplitude_m + wave.harmonic_m * wave.harmonic_m;
+        return {.peak = {wave.k, wave.omega}, .significant_wave_height_m = 4 * std::sqrt(squares / 2)};
     }
     const PlaneWaves asked = plane_waves_of(analytic_sea_of(sea));
     const auto highest =

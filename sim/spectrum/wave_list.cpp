@@ -38,6 +38,35 @@ double turns_of(double rad) {
     return turns - std::floor(turns + 0.5);
 }
 
+/// Texels along a wavelength of a regular wave: by default, and at least.
+constexpr int texels_per_regular_wave = 64, min_texels_per_regular_wave = 8;
+
+/// Largest height of a regular wave: 0.142 of its length times tanh(k d) (Miche 1944). At order 2
+/// Stokes' second harmonic is at most half of the first, because the expansion fails in shallow water.
+double max_regular_height_m(const SeaState& sea, const StokesWave& wave) {
+    const double t = det::tanh(wave.k * sea.depth_m), breaking_m = 0.142 * (two_pi / wave.k) * t;
+    return sea.order == 1 ? breaking_m : std::min(breaking_m, 4 * (t * t * t) / (3 - t * t) / wave.k);
+}
+
+std::string check_regular(const SeaState& sea) {
+    const StokesWave wave = stokes_wave_of(sea);
+    if (const double max_m = max_regular_height_m(sea, wave); sea.regular_height_m > max_m)
+        return invalid_value_message("regular_height_m", sea.regular_height_m,
+                                     "at most " + rounded_text(max_m, 4) + " for a wave of " +
+                                         rounded_text(two_pi / wave.k, 4) + " m at order " + number_text(sea.order));
+    const double periods = sea.loop_period_s / sea.regular_period_s, whole = std::floor(periods + 0.5);
+    if (whole < 1 || std::fabs(periods - whole) > 1e-9 * whole)
+        return invalid_value_message("loop_period_s", sea.loop_period_s,
+                                     "a whole number of regular_period_s, such as " +
+                                         number_text(std::max(whole, 1.0) * sea.regular_period_s));
+    const int max_waves = resolution_of(sea) / min_texels_per_regular_wave;
+    if (regular_waves_per_side(sea) > max_waves)
+        return invalid_value_message("patch_size_m", sea.patch_size_m,
+                                     "at most " + rounded_text(max_waves * two_pi / wave.k, 6) +
+                                         ": 8 texels in each wave");
+    return {};
+}
+
 /// Returns the sum of k a^2 / 2 over the waves of a cascade, m; waves of one grid index interfere.
 double level_of(const std::vector<GridWave>& waves, const CascadePlan& cascade) {
     double level_m = 0;
@@ -131,8 +160,36 @@ AnalyticSea analytic_sea_of(const SeaState& sea) {
     return sea.wave_height_m >= 0 ? with_significant_height(std::move(asked), sea.wave_height_m) : asked;
 }
 
+StokesWave stokes_wave_of(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    StokesWave wave{.k = 0,
+                    .omega = two_pi / sea.regular_period_s,
+                    .amplitude_m = 0.5 * sea.regular_height_m,
+                    .harmonic_m = 0};
+    wave.k = wave_number(wave.omega, sea.depth_m);
+    if (sea.order == 1) return wave;
+    const double t = det::tanh(wave.k * sea.depth_m), square = wave.k * wave.amplitude_m * wave.amplitude_m;
+    const double of_displacement = 0.5 * sea.choppiness * orbit_ratio(wave.k, sea.depth_m);
+    const double lacking_m = square * ((3 - t * t) / (4 * (t * t * t)) - of_displacement);
+    const double bend = sea.choppiness * orbit_ratio(2 * wave.k, sea.depth_m) * wave.k;
+    wave.harmonic_m = 2 * lacking_m / (1 + std::sqrt(1 + 4 * bend * lacking_m));
+    return wave;
+}
+
+int regular_waves_per_side(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    if (!(sea.patch_size_m > 0)) return std::max(1, resolution_of(sea) / texels_per_regular_wave);
+    const double waves = std::floor(sea.patch_size_m * stokes_wave_of(sea).k / two_pi + 0.5);
+    return static_cast<int>(std::clamp(waves, 1.0, 1e6));
+}
+
 std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade) {
     const DefaultFloatEnvironment environment;
+    if (sea.waves == WaveModel::regular) {
+        const StokesWave wave = stokes_wave_of(sea);
+        const int m = regular_waves_per_side(sea);
+        return {{{m, 0}, wave.amplitude_m, 0}, {{2 * m, 0}, wave.harmonic_m, 0}};
+    }
     const int nyquist = cascade.resolution / 2;
     std::vector<GridWave> waves;
     for (const PlaneWave& wave : plane_waves_of(analytic_sea_of(sea)).waves) {
@@ -223,6 +280,7 @@ SlopeVariance hidden_slopes(const SeaState& sea, std::span<const GridOctave> oct
 std::string check_wave_list(const SeaState& sea) {
     const std::string waves = " where waves is " + std::string(name_of(sea.waves));
     if (sea.swell_height_m != 0) return invalid_value_message("swell_height_m", sea.swell_height_m, "0" + waves);
+    if (sea.waves == WaveModel::regular) return check_regular(sea);
     const double longest_m = longest_wave_of(sea);
     if (sea.shortest_wave_m > longest_m)
         return invalid_value_message("shortest_wave_m", sea.shortest_wave_m,

@@ -1,4 +1,4 @@
-// The listed waves of analytic seas and ponds, on the grids of their cascades.
+// The listed waves of analytic seas, ponds and regular seas, on the grids of their cascades.
 #pragma once
 
 #include <complex>
@@ -31,7 +31,26 @@ GridIndex nearest_place(const CascadeGrid& grid, double turns_per_m_x, double tu
 /// Returns the wave vector of a grid index, in turns per metre along the world's axes.
 CascadeGrid::Vector turns_per_m_of(const CascadeGrid& grid, const GridIndex& at);
 
-/// A wave of an analytic sea on a cascade's grid.
+/// The wave of a regular sea, and its bound second harmonic, with a crest at (0, 0) at t = 0:
+///
+///   h = level + a cos(phase) + b cos(2 phase)
+///   b + choppiness c(2 k) k b^2 = k a^2 (3 - t^2) / (4 t^3) - choppiness c(k) k a^2 / 2
+///
+/// with t = tanh(k d) and c(k) = orbit_ratio(k, d). The first term is the harmonic of the height at a
+/// fixed place (Stokes 1847). The second is what the displacement of the wave makes of it there, and
+/// the term in b^2 is the harmonic's part of the level. b is 0 at order 1.
+struct StokesWave {
+    double k;            ///< rad/m
+    double omega;        ///< rad/s
+    double amplitude_m;  ///< a
+    double harmonic_m;   ///< b
+};
+/// \pre all fields are in their ranges
+StokesWave stokes_wave_of(const SeaState& sea);
+/// Returns the number of wavelengths along the side of a regular sea's cascade. \pre as above
+int regular_waves_per_side(const SeaState& sea);
+
+/// A wave of an analytic or regular sea on a cascade's grid.
 struct GridWave {
     GridIndex at;
     double amplitude_m, phase_turns;
@@ -41,7 +60,8 @@ struct GridWave {
 };
 
 /// Returns the waves of a cascade. Several waves may have one grid index.
-/// \pre check(sea) is empty, sea.waves is analytic, and `cascade` is one of plan_cascades(sea)
+/// \pre check(sea) is empty, sea.waves is analytic or regular, and `cascade` is one of
+/// plan_cascades(sea)
 std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade);
 
 /// An octave of a pond on its cascade's grid.

@@ -9,7 +9,7 @@ namespace pelagic {
 
 void FoldStages::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) {
     if (pass == Pass::tick) return;
-    const bool is_one = surfaces_done.size() == 1;
+    const bool is_one = slots_.buffers(0).folds.has_value();
     std::vector<StageId> cells_done;
     for (std::size_t cascade = 0; cascade < surfaces_done.size(); ++cascade) {
         const auto find = [this, cascade, is_one](std::size_t job) {

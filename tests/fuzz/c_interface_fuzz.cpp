@@ -89,7 +89,8 @@ pelagic_sea any_sea(Bytes& bytes) {
         sea.waves = static_cast<std::int32_t>(kind % 4);
         sea.wave_count = bytes.take<std::uint8_t>() % 70;
         double* const wave_fields[] = {&sea.longest_wave_m, &sea.shortest_wave_m, &sea.wave_strength,
-                                       &sea.wave_height_m, &sea.wave_drag};
+                                       &sea.wave_height_m, &sea.wave_drag, &sea.regular_height_m,
+                                       &sea.regular_period_s};
         *wave_fields[bytes.take<std::uint8_t>() % std::size(wave_fields)] = bytes.number();
     }
     must_be_a_status(pelagic_sea_check(&sea));

@@ -113,7 +113,7 @@ def test_the_package_is_typed_and_has_the_projects_version():
     ({"seed": 10**400}, ValueError, "seed is 1000"),
     ({"spectrum": "jonswop"}, ValueError, "spectrum is jonswop, expected phillips-paper, phillips, pierson-moskowitz or jonswap (the nearest is jonswap)"),
     ({"spectrum": 3}, TypeError, "spectrum is 3, expected a name: phillips-paper, phillips, pierson-moskowitz or jonswap"),
-    ({"waves": "ponds"}, ValueError, "waves is ponds, expected spectrum, analytic or pond (the nearest is pond)"),
+    ({"waves": "ponds"}, ValueError, "waves is ponds, expected spectrum, analytic, pond or regular (the nearest is pond)"),
     ({"spreading": "\n\x1b[31m"}, ValueError, r"spreading is \n\x1b[31m, expected paper, cosine-2s, hasselmann or donelan-banner"),
     ({"cascades": 3, "patch_size_m": 100}, ValueError, "cascades is 3, expected 1 where the side of the cascade is given"),
 ], ids=str)

@@ -119,7 +119,7 @@ test('an invalid value is rejected by one line that says what is accepted', asyn
     [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, expected 0 where the spectrum is phillips-paper'],
     [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, expected windSpeedMps'],
     [{ windspeed: 9 }, 'there is no option windspeed, expected windSpeedMps'],
-    [{ waves: 'ponds' }, 'waves is "ponds", expected spectrum, analytic or pond (the nearest is pond)'],
+    [{ waves: 'ponds' }, 'waves is "ponds", expected spectrum, analytic, pond or regular (the nearest is pond)'],
     [{ queries: 1 }, 'queries is 1, expected true or false'],
     [{ threads: 0 }, 'threads is 0, expected a whole number from 1 to 64'],
     [{ threads: '2' }, 'threads is "2", expected a whole number from 1 to 64'],

@@ -204,7 +204,7 @@ Json sea_for_people(const Json& sea) {
         if (key == "swell_height_m" || key == "patch_size_m" || key == "wave_count" || key.ends_with("est_wave_m"))
             return sea.at(key) > 0;
         if (key == "wave_height_m") return sea.at(key) >= 0;
-        return key != "depth_m" || state.waves == WaveModel::spectrum;
+        return key != "depth_m" || state.waves == WaveModel::spectrum || state.waves == WaveModel::regular;
     };
     Json rows = Json::object();
     for (const auto& [key, value] : sea.items())

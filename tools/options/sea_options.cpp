@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <sstream>
+#include <utility>
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
@@ -20,7 +22,7 @@ namespace pelagic::tools {
 namespace {
 
 /// Seas on which an option has an effect.
-enum class Needs { nothing, spectrum, jonswap, paper_spreading, swell, no_spectrum, analytic, pond, no_pond };
+enum class Needs { nothing, spectrum, jonswap, paper_spreading, swell, no_spectrum, analytic, pond, no_pond, regular };
 
 /// A flag and its field of SeaState.
 struct SeaFlag {
@@ -74,6 +76,10 @@ constexpr SeaFlag sea_flags[] = {
      help_group::analytic, Needs::no_spectrum, "depends on --wave-strength; pond: 0.017 of the longest wave", ""},
     {"wave-drag", "wave_drag", "drift of a pond's short waves on long ones",
      help_group::analytic, Needs::pond, "", ""},
+    {"regular-height", "regular_height_m", "height from trough to crest in metres",
+     help_group::regular, Needs::regular, "", ""},
+    {"regular-period", "regular_period_s", "period in seconds", help_group::regular, Needs::regular, "", ""},
+    {"order", "order", "order of Stokes' expansion", help_group::regular, Needs::regular, "", ""},
     // end of generated
 };
 
@@ -176,6 +182,31 @@ void apply(ResolvedSea& resolved, std::string_view name, const std::string& text
     });
     for (const SeaFlag& flag : sea_flags)
         if (flag.flag == name) apply_number(resolved, flag, text, option, is_recorded);
+}
+
+/// Applies --regular "height=2 period=8 direction=30", short for --waves regular and these options.
+void apply_regular(ResolvedSea& resolved, const std::string& text) {
+    constexpr const char* accepted = "words of height=METRES, period=SECONDS and direction=HEADING";
+    constexpr std::array flags = {std::pair("height", "regular-height"), std::pair("period", "regular-period"),
+                                  std::pair("direction", "wind-direction")};
+    apply(resolved, "waves", "regular", "--regular");
+    std::istringstream words(text);
+    int count = 0;
+    for (std::string word; words >> word; ++count) {
+        const std::size_t equals = word.find('=');
+        const auto found = std::find_if(flags.begin(), flags.end(),
+                                        [&](const auto& flag) { return word.substr(0, equals) == flag.first; });
+        if (equals == std::string::npos || found == flags.end()) throw bad_value("--regular", word, accepted);
+        apply(resolved, found->second, word.substr(equals + 1), "--regular " + std::string(found->first));
+    }
+    if (count == 0) throw bad_value("--regular", text, accepted);
+}
+
+/// Sets the loop to whole periods of a regular wave, as near as possible to the default.
+void fit_loop(ResolvedSea& resolved) {
+    SeaState& sea = resolved.sea;
+    if (sea.waves != WaveModel::regular || resolved.has_loop_period) return;
+    sea.loop_period_s = std::max(1.0, std::round(sea.loop_period_s / sea.regular_period_s)) * sea.regular_period_s;
 }
 
 /// Returns the names of the flags that a config file may contain, the preset first.
@@ -281,13 +312,15 @@ constexpr std::array angle_fields = {
 /// Returns the option that a sea lacks, "--spectrum jonswap", or an empty text.
 std::string_view missing_for(Needs needs, const SeaState& sea) {
     const bool is_spectrum = sea.waves == WaveModel::spectrum, is_pond = sea.waves == WaveModel::pond;
+    const bool is_analytic = sea.waves == WaveModel::analytic;
     const auto unless = [](bool applies, std::string_view required) { return applies ? "" : required; };
     switch (needs) {
         case Needs::nothing: return "";
-        case Needs::no_spectrum: return unless(!is_spectrum, "--waves analytic or pond");
-        case Needs::analytic: return unless(sea.waves == WaveModel::analytic, "--waves analytic");
+        case Needs::no_spectrum: return unless(is_analytic || is_pond, "--waves analytic or pond");
+        case Needs::analytic: return unless(is_analytic, "--waves analytic");
         case Needs::pond: return unless(is_pond, "--waves pond");
-        case Needs::no_pond: return unless(!is_pond, "--waves spectrum or analytic");
+        case Needs::no_pond: return unless(!is_pond, "--waves spectrum, analytic or regular");
+        case Needs::regular: return unless(sea.waves == WaveModel::regular, "--waves regular");
         default: break;
     }
     if (!is_spectrum) return "--waves spectrum";
@@ -334,6 +367,8 @@ void SeaOptions::add_to(CLI::App& app, PresetName preset) {
         add(flag, alternatives(names_of<Enum>()),
             std::string(help) + " (default: " + std::string(name_of(SeaState{}.*member)) + ")", help_group::sea);
     });
+    add("regular", "\"height=2 period=8 direction=30\"",
+        "one regular wave: metres, seconds and heading; short for --waves regular", help_group::regular);
     for (const SeaFlag& flag : sea_flags)
         add(flag.flag,
             is_direction(flag.field) ? "HEADING"
@@ -468,10 +503,15 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config, Sea
     }
     apply_config(resolved, config);
     of_file = resolved.sea;
+    if (const auto regular = typed("regular")) {
+        if (typed("waves")) throw InputError("--regular cannot be combined with --waves");
+        apply_regular(resolved, *regular);
+    }
     for (const std::string& flag : configurable_flags())
         if (const auto value = typed(flag); value && flag != "preset") apply(resolved, flag, *value, "--" + flag);
     if (!resolved.has_loop_period) resolved.sea.loop_period_s = loop_period_s_;
     if (!typed_systems_.empty()) resolved.sea.systems = parse_wave_systems(typed_systems_);
+    fit_loop(resolved);
     // Checks combinations; each option has been checked individually.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(named_as_flags(reason));
     store_defaults(resolved.sea);

@@ -14,7 +14,8 @@ constexpr std::array groups = {
     help_group::output,        help_group::input, help_group::frames,      help_group::maps,
     help_group::meshes,        help_group::view,  help_group::light,       help_group::water,
     help_group::floor,         help_group::sea,   help_group::swell,       help_group::analytic,
-    help_group::dynamic_waves, help_group::hull,  help_group::performance, help_group::other};
+    help_group::regular,       help_group::dynamic_waves, help_group::hull, help_group::performance,
+    help_group::other};
 
 /// Returns a name, and its description from column `name_columns` on, broken into lines.
 std::string entry(const std::string& name, const std::string& description) {

@@ -12,6 +12,7 @@ namespace help_group {
 inline constexpr const char *output = "Output", *input = "Input", *frames = "Frames", *maps = "Maps",
                             *meshes = "Meshes", *view = "View", *light = "Light and camera", *water = "Water",
                             *floor = "Sea floor", *sea = "Sea", *swell = "Swell", *analytic = "Analytic waves",
+                            *regular = "Regular wave",
                             *dynamic_waves = "Dynamic waves", *hull = "Hull",
                             *performance = "Performance (results are bit-identical for all values)",
                             *other = "Other options";

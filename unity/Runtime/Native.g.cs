@@ -27,6 +27,7 @@ namespace Pelagic
         Spectrum = 0,
         Analytic = 1,
         Pond = 2,
+        Regular = 3,
     }
 
     public enum Spectrum
@@ -177,9 +178,10 @@ namespace Pelagic
     {
         internal uint struct_size;
         /// <summary>
-        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, DepthM, lean,
-        /// ShortWaveCutoff, WindAlignment, the swell and seed. Only the other models use WaveCount and the options
-        /// after it. All models use the wind, whose direction is that of their waves.
+        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, lean, ShortWaveCutoff,
+        /// WindAlignment, the swell, systems and seed, and only a spectrum and a regular wave DepthM. Only the other
+        /// models use WaveCount and the options after it. All models use the wind, whose direction is that of their
+        /// waves.
         /// </summary>
         public WavesKind Waves;
         /// <summary>Spectrum; wave spectrum</summary>
@@ -205,6 +207,11 @@ namespace Pelagic
         /// Number of analytic waves or of pond octaves; 1 to 64. 0: 16 analytic waves, 24 pond octaves.
         /// </summary>
         public int WaveCount;
+        /// <summary>
+        /// Order of Stokes' expansion of a regular wave; 1 or 2. 2 adds the second harmonic that choppiness does not
+        /// make.
+        /// </summary>
+        public int Order;
         internal int system_count;
         /// <summary>
         /// L, the side of the only cascade, after which the sea repeats; [0.001, 1e6]. 0: sides derived from the sea.
@@ -278,6 +285,10 @@ namespace Pelagic
         public double WaveHeightM;
         /// <summary>horizontal drag of a pond's short waves by its long ones; [0, 1]</summary>
         public double WaveDrag;
+        /// <summary>height of a regular wave from trough to crest; (0, 60]</summary>
+        public double RegularHeightM;
+        /// <summary>period of a regular wave; [0.2, 60]. LoopPeriodS is a whole number of them</summary>
+        public double RegularPeriodS;
         internal WaveSystem systems_0, systems_1, systems_2, systems_3, systems_4, systems_5, systems_6, systems_7;
         /// <summary>Wave systems, in addition to the waves of the wind and the swell; at most 8.</summary>
         public unsafe WaveSystem[] Systems
@@ -1310,6 +1321,7 @@ namespace Pelagic
                 Spectrum = Spectrum.Jonswap,
                 Spreading = Spreading.DonelanBanner,
                 Seed = 1,
+                Order = 1,
                 WindSpeedMps = 12,
                 FetchM = 100e3,
                 PeakEnhancement = 3.3,
@@ -1322,6 +1334,8 @@ namespace Pelagic
                 LoopPeriodS = 3600,
                 WaveStrength = 1,
                 WaveDrag = 0.38,
+                RegularHeightM = 2,
+                RegularPeriodS = 8,
             };
         }
 

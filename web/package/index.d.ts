@@ -52,11 +52,12 @@ export interface SeaOptions {
   preset?: string;
   // generated from schema/sea.toml: properties
   /**
-   * Wave model. Only a spectrum uses spectrum, spreading, fetchM, depthM, lean, shortWaveCutoff,
-   * windAlignment, the swell and seed. Only the other models use waveCount and the options after
-   * it. All models use the wind, whose direction is that of their waves. Default "spectrum".
+   * Wave model. Only a spectrum uses spectrum, spreading, fetchM, lean, shortWaveCutoff,
+   * windAlignment, the swell, systems and seed, and only a spectrum and a regular wave depthM.
+   * Only the other models use waveCount and the options after it. All models use the wind, whose
+   * direction is that of their waves. Default "spectrum".
    */
-  waves?: 'spectrum' | 'analytic' | 'pond';
+  waves?: 'spectrum' | 'analytic' | 'pond' | 'regular';
   /**
    * Wave spectrum. "phillips-paper": scaled as in VR Ocean, without a swell. "phillips":
    * Phillips' shape with a physical height. "pierson-moskowitz": a fully developed sea; no fetch.
@@ -181,6 +182,18 @@ export interface SeaOptions {
   waveHeightM?: number;
   /** Horizontal drag of a pond's short waves by its long ones: [0, 1]. Default 0.38. */
   waveDrag?: number;
+  /** Height of a regular wave from trough to crest, metres: (0, 60]. Default 2. */
+  regularHeightM?: number;
+  /**
+   * Period of a regular wave, seconds: [0.2, 60]. loopPeriodS is a whole number of them. Default
+   * 8.
+   */
+  regularPeriodS?: number;
+  /**
+   * Order of Stokes' expansion of a regular wave: 1 or 2. 2 adds the second harmonic that
+   * choppiness does not make. Default 1.
+   */
+  order?: number;
   /**
    * Wave systems, in addition to the waves of the wind and the swell: at most 8. Default: none.
    */
