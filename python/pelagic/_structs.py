@@ -122,7 +122,7 @@ def systems_of(systems: Any, type_: Any) -> tuple[WaveSystem, ...]:
         if not isinstance(system, type_):
             raise TypeError(invalid(f"systems[{i}]", repr(system), "a pelagic.WaveSystem"))
     if len(found) > (most := c.pelagic_sea().systems._length_):
-        raise ValueError(invalid("len(systems)", str(len(found)), f"0 to {most}"))
+        raise ValueError(f"systems has {len(found)} elements, expected 0 to {most}")
     return found
 
 

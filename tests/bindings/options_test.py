@@ -239,7 +239,7 @@ int main() {
 }
 """, "-std=c++20", "-ffunction-sections", "-Wl,--gc-sections")
         self.assertEqual(output, "0\n1.5 \nmade_up_waves[2].size_m 8 is out of range (0, 7]\nmade_up_waves[0].model is no known model\n"
-                                 "made_up_waves.size() is 4, expected 0 to 3\n")
+                                 "made_up_waves has 4 elements, expected 0 to 3\n")
 
     def test_a_list_is_set_in_c_and_converted(self):
         self.run_program(CC, "made.c", """

@@ -41,7 +41,7 @@ def test_the_systems_of_a_sea_are_any_sequence_of_at_most_eight():
     for error, line, make in (
             (ValueError, "height_m -1 is out of range [0, 30]", lambda: pelagic.WaveSystem(height_m=-1)),
             (ValueError, "spectrum is chop, expected phillips-paper, phillips, pierson-moskowitz or jonswap", lambda: pelagic.WaveSystem(spectrum="chop")),
-            (ValueError, "len(systems) is 9, expected 0 to 8", lambda: pelagic.Sea(systems=[system] * 9)),
+            (ValueError, "systems has 9 elements, expected 0 to 8", lambda: pelagic.Sea(systems=[system] * 9)),
             (TypeError, "systems is 3, expected a sequence of pelagic.WaveSystem", lambda: pelagic.Sea(systems=3)),
             (TypeError, "systems[1] is 3, expected a pelagic.WaveSystem", lambda: pelagic.Sea(systems=[system, 3]))):
         with pytest.raises(error) as refused:

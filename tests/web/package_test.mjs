@@ -117,6 +117,13 @@ test('an invalid value is rejected by one line that says what is accepted', asyn
     [{ cascades: 2.5 }, 'cascades is 2.5, expected 1, 2, 3 or 4, or 0: chosen'],
     [{ cascades: 3, patchSizeM: 100 }, 'cascades is 3, expected 1 where the side of the cascade is given'],
     [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, expected 0 where the spectrum is phillips-paper'],
+    [{ systems: 3 }, 'systems is 3, expected an array'],
+    [{ systems: [3] }, 'systems[0] is 3, expected an object'],
+    [{ systems: [{}, { heightM: -1 }] }, 'systems[1].heightM -1 is out of range [0, 30]'],
+    [{ systems: [{ spectrum: 'jonswop' }] },
+      'systems[0].spectrum is "jonswop", expected phillips-paper, phillips, pierson-moskowitz or jonswap (the nearest is jonswap)'],
+    [{ systems: [{ height: 1 }] }, 'there is no option systems[0].height, expected systems[0].heightM'],
+    [{ systems: Array(9).fill({}) }, 'systems has 9 elements, expected 0 to 8'],
     [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, expected windSpeedMps'],
     [{ windspeed: 9 }, 'there is no option windspeed, expected windSpeedMps'],
     [{ waves: 'ponds' }, 'waves is "ponds", expected spectrum, analytic, pond or regular (the nearest is pond)'],
@@ -218,7 +225,7 @@ test('types have the options, defaults and accepted values of the library', asyn
   const table = await seaOptions();
   const typed = [...options.matchAll(/\/\*\*((?:(?!\*\/)[^])*)\*\/\n  (\w+)\?: (.*);/g)]
     .map(([, doc, name, type]) => ({ doc: doc.replace(/\s*\n\s*\* ?/g, ' '), name, type }));
-  assert.deepEqual(typed.map(({ name }) => name), ['preset', ...table.map(({ name }) => name)]);
+  assert.deepEqual(typed.map(({ name }) => name), ['preset', ...table.map(({ name }) => name), 'systems']);
   for (const { name, default: value, accepted, words } of table) {
     const { doc, type } = typed.find((one) => one.name === name);
     assert.ok(doc.includes(`Default ${typeof value === 'string' ? `"${value}"` : value}`), `${name}: ${doc}`);
