@@ -169,7 +169,7 @@ std::string contestant_of(const std::string& library, const BesideLibrary& besid
 class Comparison {
    public:
     Comparison(int n, Isa isa, const Options& options)
-        : sea_{.resolution = n, .patch_size_m = 250, .roughness = 0.1},
+        : sea_{.resolution = n, .patch_size_m = 250, .lean = 0, .roughness = 0.1},
           isa_(isa),
           seconds_(options.quick ? 2 : 6),
           fftw_packed_(sea_, isa, peers::FieldArrangement::packed),

@@ -23,7 +23,7 @@ void count_frame(const std::string& name, int resolution, Frames&& frames) {
 }
 
 void count_frames(Isa isa, int resolution, const std::string& plans) {
-    const SeaState sea{.resolution = resolution, .patch_size_m = 250, .roughness = 0.1};
+    const SeaState sea{.resolution = resolution, .patch_size_m = 250, .lean = 0, .roughness = 0.1};
     count_frame("ours", resolution, Ocean(sea, {.executor = make_serial_executor(), .isa = isa, .planes = false}));
     peers::read_fftw_plans(plans);
     using peers::FftwFrame, peers::FftwPlanning, peers::FieldArrangement, peers::KissFrame;

@@ -26,7 +26,8 @@ using std::numbers::pi;
 /// One wave of a cascade, with its wave vector in world axes.
 struct OracleWave {
     double kx, kz;
-    std::complex<double> height;  ///< amplitude h~ at the given time
+    std::complex<double> height;   ///< amplitude h~ at the given time
+    std::complex<double> forward;  ///< amplitude of the displacement along k, over the choppiness
 };
 
 /// The integral of the spectrum over the band's share of a cell of wave vectors, divided by the
@@ -64,8 +65,12 @@ std::vector<OracleWave> oracle_waves_of(const SeaState& sea, const CascadePlan& 
             const double k = std::hypot(kx, kz), reach = cascade.spacing();
             if (k + reach < cascade.min_k || k - reach > cascade.max_k || k == 0) continue;
             const double phase = frequency(k, sea.loop_period_s) * time_s;
-            waves.push_back(
-                {kx, kz, drawn(m, n) * std::polar(1.0, -phase) + std::conj(drawn(-m, -n)) * std::polar(1.0, phase)});
+            const std::complex<double> along = drawn(m, n) * std::polar(1.0, -phase);
+            const std::complex<double> against = std::conj(drawn(-m, -n)) * std::polar(1.0, phase);
+            const double lean = std::atan(sea.lean);
+            waves.push_back({kx, kz, along + against,
+                             std::cos(lean) * std::complex<double>(0, 1) * (along + against) +
+                                 std::sin(lean) * (along - against)});
         }
     }
     return waves;
@@ -76,7 +81,8 @@ std::vector<OracleWave> oracle_waves_of(const SeaState& sea, const CascadePlan& 
 // peak, where the spectrum doubles within a cell: energies are within 5 % there, amplitudes within
 // half of that. A wrong sign, rotation or random number would give an error of 100 %.
 TEST(CascadeStack, EachCascadeIsTheSumOfItsWaves) {
-    const SeaState sea{.cascades = 3, .resolution = 32, .wind_direction_rad = 0.7, .choppiness = 0.9, .seed = 5};
+    const SeaState sea{
+        .cascades = 3, .resolution = 32, .wind_direction_rad = 0.7, .choppiness = 0.9, .lean = 0.3, .seed = 5};
     const double time_s = 12.34;
     Ocean ocean(sea, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(time_s);
@@ -97,8 +103,9 @@ TEST(CascadeStack, EachCascadeIsTheSumOfItsWaves) {
                 const std::complex<double> here = wave.height * std::polar(1.0, wave.kx * x + wave.kz * z);
                 const double k = std::hypot(wave.kx, wave.kz);
                 height += here.real();
-                dx += sea.choppiness * wave.kx / k * -here.imag();
-                dz += sea.choppiness * wave.kz / k * -here.imag();
+                const double moved = (wave.forward * std::polar(1.0, wave.kx * x + wave.kz * z)).real();
+                dx += sea.choppiness * wave.kx / k * moved;
+                dz += sea.choppiness * wave.kz / k * moved;
             }
             const double d[] = {cascade.height.at(i, j) - height, cascade.dx.at(i, j) - dx, cascade.dz.at(i, j) - dz};
             for (const double part : d) off += part * part;

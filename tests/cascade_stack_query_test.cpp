@@ -80,9 +80,12 @@ TEST(CascadeStackQuery, MatchesTheOracleForTwoToFourRotatedCascades) {
     }
 }
 
-/// The cascades with displacements multiplied by `factor`, so that the surface folds.
+/// The cascades without lean and with displacements multiplied by `factor`, so that the surface folds.
 std::vector<CascadeStack::Part> exaggerated(std::vector<CascadeStack::Part> parts, double factor) {
-    for (CascadeStack::Part& part : parts) part.factor *= factor;
+    for (CascadeStack::Part& part : parts) {
+        part.sea.lean = 0;
+        part.factor *= factor;
+    }
     return parts;
 }
 

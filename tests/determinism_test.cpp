@@ -438,7 +438,7 @@ std::uint64_t hash_of_displacement(const Frame& frame) {
     return hash;
 }
 
-/// Seas in deep water with cascades = 1: the defaults and presets of the first version.
+/// Seas in deep water with cascades = 1: the first version's defaults and presets.
 std::map<std::string, SeaState> seas_of_one_cascade() {
     std::map<std::string, SeaState> seas = {
         {"one-cascade-256", {.resolution = 256, .patch_size_m = 250, .roughness = 0.1}},
@@ -468,6 +468,11 @@ std::map<std::string, SeaState> seas_of_one_cascade() {
     for (const SpectrumModel model : values_of<SpectrumModel>())
         seas[std::string(name_of(model)) + "-64"] = {
             .spectrum = model, .resolution = 64, .patch_size_m = 250, .roughness = 0.1};
+    for (auto& [name, sea] : seas) {
+        sea.spreading = SpreadingModel::paper;
+        sea.lean = 0;
+        sea.loop_period_s = 200;
+    }
     return seas;
 }
 

@@ -61,14 +61,29 @@ TEST(Lean, MakesFrontsSteeperThanBacks) {
     const int seeds = is_sanitized ? 2 : 8;
     for (const double wind_mps : {12.0, 20.0}) {
         EXPECT_NEAR(slope_skewness(windy(wind_mps, 0), seeds), 0, 0.03) << wind_mps;
-        const double skewness = slope_skewness(windy(wind_mps, 0.4), seeds);
+        const double lean = SeaState().lean, skewness = slope_skewness(windy(wind_mps, lean), seeds);
         std::printf("skewness at %.0f m/s: %.3f\n", wind_mps, skewness);
         EXPECT_LT(skewness, -0.12) << wind_mps;
         EXPECT_GT(skewness, -0.3) << wind_mps;
-        SeaState turned = windy(wind_mps, 0.4);
+        SeaState turned = windy(wind_mps, lean);
         turned.wind_direction_rad = 2;
         EXPECT_NEAR(slope_skewness(turned, seeds), skewness, 0.03) << "it is along the wind";
     }
+}
+
+TEST(Lean, GrowsWithTheWindByDefault) {
+    const auto lean = [](double wind_mps) { return lean_of({.wind_speed_mps = wind_mps}); };
+    EXPECT_EQ(lean(3), 0);
+    EXPECT_NEAR(lean(6.5), 0.5 * 0.385, 1e-12);
+    EXPECT_DOUBLE_EQ(lean(10), 0.42);
+    EXPECT_DOUBLE_EQ(lean(20), 0.52);
+    EXPECT_DOUBLE_EQ(lean(60), 0.6);
+    for (double wind_mps = 0.5; wind_mps < 60; wind_mps += 0.5) EXPECT_LE(lean(wind_mps), lean(wind_mps + 0.5));
+    EXPECT_EQ(lean_of({.lean = 0}), 0);
+    EXPECT_EQ(lean_of({.spectrum = SpectrumModel::phillips_paper}), 0);
+    EXPECT_EQ(lean_of({.spectrum = SpectrumModel::phillips_paper, .lean = 0.2}), 0.2);
+    EXPECT_EQ(lean_of({.waves = WaveModel::analytic}), 0);
+    EXPECT_EQ(lean_of({.waves = WaveModel::pond}), 0);
 }
 
 // A swell of one direction and a wind that barely moves the water. The narrower a spectrum, the
@@ -148,7 +163,7 @@ TEST(Lean, VelocityIsThatOfTheDrawnSurface) {
 /// Positions that fill a square of 20 km evenly (Roberts 2018), others for each number of a frame.
 template <class Visit>
 void for_places(int frame, Visit visit) {
-    constexpr int places = 3000;
+    constexpr int places = 6000;
     const auto part_of = [](double turns) { return 20'000 * (turns - std::floor(turns)); };
     for (int place = frame * places; place < (frame + 1) * places; ++place)
         visit(part_of(place * 0.7548776662466927), part_of(place * 0.5698402909980532));
@@ -178,9 +193,9 @@ double foam_on_fronts(SeaState sea, int seeds, int frames) {
 }
 
 TEST(Lean, FoamIsOnFronts) {
-    const int seeds = is_sanitized ? 1 : 6, frames = is_sanitized ? 4 : 20;
+    const int seeds = is_sanitized ? 1 : 8, frames = is_sanitized ? 4 : 20;
     for (const double wind_mps : {12.0, 16.0, 20.0, 26.0}) {
-        const double share = foam_on_fronts(windy(wind_mps, 0.32 + 0.01 * wind_mps), seeds, frames);
+        const double share = foam_on_fronts(windy(wind_mps, SeaState().lean), seeds, frames);
         std::printf("%.0f m/s: %.3f\n", wind_mps, share);
         EXPECT_GT(share, is_sanitized ? 0.65 : 0.7) << wind_mps;
     }

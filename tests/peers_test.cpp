@@ -47,20 +47,22 @@ struct Case {
 
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
-/// Winds across both axes, so that a wrong sign or swapped axes cause a failure.
+/// Winds across both axes, so that a wrong sign or swapped axes cause a failure. Waves of peers have
+/// no lean.
 std::vector<Case> cases() {
     return {
-        {"N32", {.resolution = 32, .patch_size_m = 250, .wind_direction_rad = 2.5}, 1.5},
-        {"N64", {.resolution = 64, .patch_size_m = 250, .wind_direction_rad = -1}, 143.7},
+        {"N32", {.resolution = 32, .patch_size_m = 250, .wind_direction_rad = 2.5, .lean = 0}, 1.5},
+        {"N64", {.resolution = 64, .patch_size_m = 250, .wind_direction_rad = -1, .lean = 0}, 143.7},
         {"N64_choppy_and_shallow",
          {.resolution = 64,
           .patch_size_m = 37.3,
           .wind_speed_mps = 6,
           .depth_m = 5,
           .choppiness = 1,
+          .lean = 0,
           .roughness = 0.4},
          -3},
-        {"N256", {.resolution = 256, .patch_size_m = 250}, 12.34},
+        {"N256", {.resolution = 256, .patch_size_m = 250, .lean = 0}, 12.34},
         {"N256_breaking",
          {.spectrum = SpectrumModel::phillips_paper,
           .resolution = 256,

@@ -214,7 +214,7 @@ WaveCascade all_waves_of(const SeaState& sea, const CascadePlan& plan) {
 // the sea.
 TEST(SlopeSum, OfAnOceansCascadesIsNearTheExactSurface) {
     for (const int cascades : {3, 4}) {
-        const SeaState sea{.cascades = cascades, .wind_direction_rad = 0.7};
+        const SeaState sea{.cascades = cascades, .wind_direction_rad = 0.7, .lean = 0};
         Ocean ocean(sea, {.executor = make_serial_executor()});
         const Frame& frame = ocean.frame_at(0);
         const std::vector<CascadePlan> plans = plan_cascades(sea);

@@ -107,6 +107,12 @@ TEST(Roughness, IsANumberOrFollowsFromTheWind) {
     EXPECT_EQ(sea_of_options({}, "roughness = \"wind\"\n").at("roughness"), -1);
 }
 
+TEST(Lean, IsANumberOrFollowsFromTheWind) {
+    EXPECT_EQ(sea_of_options({}).at("lean"), -1);
+    EXPECT_EQ(sea_of_options({"--lean", "0.3"}).at("lean"), 0.3);
+    EXPECT_EQ(sea_of_options({"--lean", "wind"}, "lean = 0\n").at("lean"), -1);
+}
+
 TEST(Swell, IsTakenFromFlagsAndFiles) {
     const nlohmann::json typed = sea_of_options({"--swell-height", "2.5", "--swell-period", "14", "--swell-direction",
                                                  "from-W", "--swell-spread", "20", "--spreading", "donelan-banner"});

@@ -731,6 +731,7 @@ DEFAULTS: Dict[Any, Dict[str, Any]] = {
         "peak_enhancement": 3.3,
         "depth_m": 4000,
         "choppiness": 0.8,
+        "lean": -1,
         "roughness": -1,
         "wind_alignment": 0.5,
         "swell_period_s": 12,

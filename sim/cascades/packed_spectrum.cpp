@@ -169,17 +169,19 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 const double trace = k_x * (sign * filtered_x.derivative) + k_z * filtered_z.derivative;
                 const double filter = filtered_x.filter * filtered_z.filter;
                 // A wave cos(phase) of 1 m along k has the compression
-                // c cos(phase - b) + s sin(phase), where b is the lean. Against k, s is negative.
-                const double c = orbit * trace / k;
-                const double s = front.along * (sign * filtered_x.derivative) + front.across * filtered_z.derivative;
+                // crest cos(phase - b) + face sin(phase), where b is the lean. Against k, face is
+                // negative.
+                const double crest = orbit * trace / k;
+                const double face = front.along * (sign * filtered_x.derivative) + front.across * filtered_z.derivative;
                 const double sine = lean / std::sqrt(1 + lean * lean), cosine = 1 / std::sqrt(1 + lean * lean);
                 const double both = mirrors * opposites.realised_square();
                 const double forward =
                     mirrors * (std::norm(opposites.along.amplitude) - std::norm(opposites.against.amplitude));
-                const double contraction = both * orbit_square * of_square * trace * trace + forward * c * s * sine;
-                const double at_texels = contraction + (both * s + forward * c * sine) * s;
+                const double contraction =
+                    both * orbit_square * of_square * trace * trace + forward * crest * face * sine;
+                const double at_texels = contraction + (both * face + forward * crest * sine) * face;
                 statistics.contraction = filter * contraction;
-                statistics.contraction_before = filter * forward * c * s * cosine;
+                statistics.contraction_before = filter * forward * crest * face * cosine;
                 statistics.compression_square = filter * at_texels;
                 // The mean square at u between two texels is 1 - 2 u (1 - u) (1 - cos), with the mean
                 // 1 - (1 - cos) / 3.
@@ -187,9 +189,10 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 statistics.compression_drop_z = 1.5 * (1 - filtered_z.filter) * filtered_x.filter * at_texels;
                 const double along_rate = square_rate(opposites.along, frequency - drifted);
                 const double against_rate = square_rate(opposites.against, frequency + drifted);
+                const double both_rates = along_rate + against_rate;
                 statistics.compression_rate_square =
-                    filter * (mirrors * (along_rate + against_rate) * orbit_square) * of_square * trace * trace +
-                    filter * mirrors * ((along_rate + against_rate) * s + 2 * (along_rate - against_rate) * c * sine) * s;
+                    filter * (mirrors * both_rates * orbit_square) * of_square * trace * trace +
+                    filter * mirrors * (both_rates * face + 2 * (along_rate - against_rate) * crest * sine) * face;
                 statistics.slopes.add_wave(
                     mirrors * opposites.expected_square() * resolved_x.filter * resolved_z.filter,
                     sign * resolved_x.derivative, resolved_z.derivative);

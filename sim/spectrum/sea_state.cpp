@@ -1,5 +1,7 @@
 #include "pelagic/sim/sea_state.hpp"
 
+#include <algorithm>
+
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/simd/constants.hpp"
@@ -24,7 +26,7 @@ constexpr SeaStateField sea_state_field_table[] = {
     {"peak_enhancement", &SeaState::peak_enhancement, 1, 10, "[1, 10]"},
     {"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
     {"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
-    {"lean", &SeaState::lean, 0, 0.6, "[0, 0.6]"},
+    {"lean", &SeaState::lean, 0, 0.6, "[0, 0.6], or -1: from the wind", Restriction::none, -1},
     {"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Restriction::none, -1},
     {"short_wave_cutoff", &SeaState::short_wave_cutoff, 0, 1, "[0, 1]"},
     {"wind_alignment", &SeaState::wind_alignment, 0, 1, "[0, 1]"},
@@ -78,6 +80,16 @@ int cascades_of(const SeaState& sea) {
     const bool is_one =
         is_limited_to_one_cascade(sea) || (sea.resolution != 0 && sea.resolution < min_resolution_of_stacks);
     return is_one ? 1 : default_cascades;
+}
+
+double lean_of(const SeaState& sea) {
+    if (sea.waves != WaveModel::spectrum) return 0;
+    if (sea.lean >= 0) return sea.lean;
+    if (sea.spectrum == SpectrumModel::phillips_paper) return 0;
+    // From light winds, in which few waves break, to a fresh breeze. Below that the lean eases in.
+    constexpr double none_mps = 3, full_mps = 10;
+    const double part = std::clamp((sea.wind_speed_mps - none_mps) / (full_mps - none_mps), 0.0, 1.0);
+    return part * part * (3 - 2 * part) * std::min(0.32 + 0.01 * sea.wind_speed_mps, 0.6);
 }
 
 int resolution_of(const SeaState& sea) {

@@ -56,6 +56,7 @@ WaveSpectrum::WaveSpectrum(const SeaState& sea, const CascadePlan& cascade)
       grid_spacing_(cascade.spacing()),
       peak_(deep_peak(sea)),
       cutoff_m_(cutoff_length(sea, peak_)),
+      lean_(lean_of(sea)),
       swell_variance_(sea.swell_height_m * sea.swell_height_m / 16),
       swell_peak_(two_pi / sea.swell_period_s),
       swell_lobe_(DirectionalLobe::cosine_2s(cosine_2s_exponent(sea.swell_spread_rad))) {
@@ -118,9 +119,9 @@ double WaveSpectrum::radial_density(double k) const {
 }
 
 double WaveSpectrum::lean(double k) const {
-    if (sea_.lean == 0 || swell_variance_ == 0) return sea_.lean;
+    if (lean_ == 0 || swell_variance_ == 0) return lean_;
     const double wind = wind_density(k), all = wind + swell_density(k);
-    return all > 0 ? sea_.lean * (wind / all) : 0;
+    return all > 0 ? lean_ * (wind / all) : 0;
 }
 
 double WaveSpectrum::wind_density(double k) const {

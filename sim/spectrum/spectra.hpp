@@ -72,7 +72,7 @@ class WaveSpectrum {
     /// times the depth.
     double kept_after_breaking() const { return kept_; }
 
-    /// Returns the lean of waves of wave number k in rad/m: SeaState::lean times the wind sea's
+    /// Returns the lean of waves of wave number k in rad/m: lean_of() times the wind sea's
     /// fraction of their energy, because a swell is symmetric.
     double lean(double k) const;
 
@@ -99,6 +99,7 @@ class WaveSpectrum {
     double peak_;      // peak frequency of the wind sea in deep water, rad/s
     double cutoff_m_;  // l of equation 10
     std::optional<MeasuredSpreading> measured_spreading_;
+    double lean_;            // lean_of(sea)
     double swell_variance_;  // m^2
     double swell_peak_;      // rad/s
     double swell_x_, swell_z_;

@@ -209,11 +209,20 @@ std::vector<RunningWave> running_waves_at(const SeaState& sea, double time_s) {
     return waves;
 }
 
+/// Returns the lean of the wind sea: by default cubic from 3 to 10 m/s, with slopes of 0 at 3 m/s.
+double wind_lean(const SeaState& sea) {
+    if (sea.lean >= 0) return sea.lean;
+    const double v = sea.wind_speed_mps;
+    if (sea.spectrum == SpectrumModel::phillips_paper || v < 3) return 0;
+    const double full = std::fmin(0.32 + v / 100, 0.6);
+    return v > 10 ? full : full * (v - 3) * (v - 3) * (27 - 2 * v) / 343;
+}
+
 /// Returns the angle of the lean: that of the wind sea's energy among all of this wave number.
 double lean_rad(const SeaState& sea, double k) {
-    if (sea.swell_height_m == 0) return std::atan(sea.lean);
+    if (sea.swell_height_m == 0) return std::atan(wind_lean(sea));
     const double wind = wind_radial(sea, k), swell = swell_radial(sea, k);
-    return std::atan(sea.lean * (wind + swell > 0 ? wind / (wind + swell) : 0));
+    return std::atan(wind_lean(sea) * (wind + swell > 0 ? wind / (wind + swell) : 0));
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ const Frame& UnfusedSea::frame_at(double time_s) {
 
 void UnfusedSea::spectrum() {
     const CascadeWaves waves(sea_, plan_cascades(sea_).front());
-    const double spacing = 6.28318530717958647693 / sea_.patch_size_m;
+    const double spacing = 6.28318530717958647693 / sea_.patch_size_m, lean = lean_of(sea_);
     double level = 0;
     for (int n = 0; n < sea_.resolution / 2; ++n) {
         for (int position = 0; position < sea_.resolution; ++position) {
@@ -137,13 +137,13 @@ void UnfusedSea::spectrum() {
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
             const double tanh_kd = det::tanh(length * spacing * sea_.depth_m), coth_kd = std::min(1 / tanh_kd, 20.0);
-            const double forward = coth_kd / std::sqrt(1 + sea_.lean * sea_.lean);
+            const double forward = coth_kd / std::sqrt(1 + lean * lean);
             level += (n == 0 ? 1 : 2) * (std::norm(along) + std::norm(against)) * k * forward;
             waves_.push_back(
                 {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
                  static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real()),
                  static_cast<float>(m / length * forward), static_cast<float>(n / length * forward),
-                 static_cast<float>(sea_.lean),
+                 static_cast<float>(lean),
                  loop_harmonic(angular_frequency(length * spacing, sea_.depth_m), sea_.loop_period_s)});
         }
     }

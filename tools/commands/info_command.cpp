@@ -208,7 +208,8 @@ Json sea_for_people(const Json& sea) {
     };
     Json rows = Json::object();
     for (const auto& [key, value] : sea.items())
-        if (counts(key)) rows[key] = key == "roughness" && value < 0 ? Json("from the wind") : value;
+        if (counts(key))
+            rows[key] = (key == "roughness" || key == "lean") && value < 0 ? Json("from the wind") : value;
     return rows;
 }
 

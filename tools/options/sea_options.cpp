@@ -49,7 +49,7 @@ constexpr SeaFlag sea_flags[] = {
      help_group::sea, Needs::jonswap, "", ""},
     {"depth", "depth_m", "water depth in metres", help_group::sea, Needs::nothing, "", ""},
     {"choppiness", "choppiness", "scale of horizontal displacement", help_group::sea, Needs::no_pond, "", ""},
-    {"lean", "lean", "forward displacement of crests", help_group::sea, Needs::spectrum, "", ""},
+    {"lean", "lean", "forward displacement of crests", help_group::sea, Needs::spectrum, "wind", "[0, 0.6] or wind"},
     {"roughness", "roughness", "roughness of unresolved waves",
      help_group::sea, Needs::nothing, "wind", "[0, 1] or wind"},
     {"short-wave-cutoff", "short_wave_cutoff", "damping of short waves", help_group::sea, Needs::spectrum, "", ""},
@@ -99,7 +99,7 @@ const SeaStateField& field_of(const SeaFlag& flag) {
     return *std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == flag.field; });
 }
 
-bool is_roughness(const SeaFlag& flag) { return flag.field == "roughness"; }
+bool takes_wind(const SeaFlag& flag) { return flag.shown_accepted.ends_with(" or wind"); }
 
 std::string accepted_by(const SeaFlag& flag) {
     return flag.shown_accepted.empty() ? accepted_when_typed(field_of(flag)) : std::string(flag.shown_accepted);
@@ -168,7 +168,7 @@ void apply_preset(ResolvedSea& resolved, const std::string& name, const std::str
 void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& option,
                   bool is_recorded) {
     const SeaStateField& field = field_of(flag);
-    if (is_roughness(flag) && text == "wind") return field.set(resolved.sea, *field.also);
+    if (takes_wind(flag) && text == "wind") return field.set(resolved.sea, *field.also);
     const double number = set_typed(resolved.sea, field, text, option, accepted_by(flag), is_recorded);
     if (flag.field == "loop_period_s") resolved.has_loop_period = true;
     if (const SeaAngle* const angle = sea_angle(flag.field)) resolved.*angle->degrees = number;
@@ -232,7 +232,7 @@ void apply_config(ResolvedSea& resolved, const std::vector<ConfigEntry>& config)
             const std::string option = entry.location + ": " + entry.key;
             for (const SeaFlag& number : sea_flags)
                 if (number.flag == flag && entry.quoted &&
-                    (parse_number(entry.value) || !(takes_words(number.field) || is_roughness(number))))
+                    (parse_number(entry.value) || !(takes_words(number.field) || takes_wind(number))))
                     throw bad_value(option, '"' + entry.value + '"',
                                     "a number without quotes: " + accepted_by(number));
             if (flag == list_key)

@@ -112,7 +112,8 @@ export interface SeaOptions {
   choppiness?: number;
   /**
    * Forward displacement of crests, as a fraction of the displacement that sharpens them:
-   * [0, 0.6]. It makes fronts steeper than backs. A swell does not lean. Default 0.
+   * [0, 0.6], or -1: from the wind. It makes fronts steeper than backs. A swell does not lean.
+   * Default -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for phillips-paper.
    */
   lean?: number;
   /**

@@ -100,7 +100,6 @@ SETTINGS = (
     Setting("peak_enhancement", "peak_enhancement", "spectrum", "jonswap"),
     Setting("depth", "depth_m", "waves", ""),
     Setting("choppiness", "choppiness", "waves", "no_pond"),
-    Setting("lean", "lean", "waves", "spectrum"),
     Setting("short_wave_cutoff", "short_wave_cutoff", "spectrum", "spectrum"),
     Setting("wind_alignment", "wind_alignment", "spectrum", "paper_spreading"),
     Setting("swell_height", "swell_height_m", "swell", "spectrum"),

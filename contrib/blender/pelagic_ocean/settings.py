@@ -82,10 +82,6 @@ class PelagicOcean(bpy.types.PropertyGroup):
         name="Choppiness", update=changed,
         default=0.8, min=0, max=1, subtype="FACTOR",
         description="Scale of horizontal displacements")
-    lean: FloatProperty(
-        name="Lean", update=changed,
-        default=0, min=0, max=0.6,
-        description="Forward displacement of crests, as a fraction of the displacement that sharpens them")
     short_wave_cutoff: FloatProperty(
         name="Calm Small Waves", update=changed,
         default=0, min=0, max=1, subtype="FACTOR",
