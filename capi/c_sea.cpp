@@ -22,6 +22,7 @@ static_assert(PELAGIC_SPECTRUM_PHILLIPS_PAPER == static_cast<int>(SpectrumModel:
 static_assert(PELAGIC_SPECTRUM_PHILLIPS == static_cast<int>(SpectrumModel::phillips));
 static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumModel::pierson_moskowitz));
 static_assert(PELAGIC_SPECTRUM_JONSWAP == static_cast<int>(SpectrumModel::jonswap));
+static_assert(PELAGIC_SPECTRUM_NONE == static_cast<int>(SpectrumModel::none));
 static_assert(PELAGIC_SPREADING_PAPER == static_cast<int>(SpreadingModel::paper));
 static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::cosine_2s));
 static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));
@@ -56,6 +57,7 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.wind_speed_mps = from.wind_speed_mps;
     to.wind_direction_rad = from.wind_direction_rad;
     to.fetch_m = from.fetch_m;
+    to.peak_period_s = from.peak_period_s;
     to.peak_enhancement = from.peak_enhancement;
     to.depth_m = from.depth_m;
     to.choppiness = from.choppiness;
@@ -73,7 +75,7 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.longest_wave_m = from.longest_wave_m;
     to.shortest_wave_m = from.shortest_wave_m;
     to.wave_strength = from.wave_strength;
-    to.wave_height_m = from.wave_height_m == -1 ? 0 : from.wave_height_m;
+    to.wave_height_m = from.wave_height_m;
     to.wave_drag = from.wave_drag;
     to.regular_height_m = from.regular_height_m;
     to.regular_period_s = from.regular_period_s;
@@ -127,6 +129,7 @@ SeaState sea_of(const pelagic_sea* pointer) {
     to.wind_speed_mps = from.wind_speed_mps;
     to.wind_direction_rad = from.wind_direction_rad;
     to.fetch_m = from.fetch_m;
+    to.peak_period_s = from.peak_period_s;
     to.peak_enhancement = from.peak_enhancement;
     to.depth_m = from.depth_m;
     to.choppiness = from.choppiness;
@@ -144,7 +147,7 @@ SeaState sea_of(const pelagic_sea* pointer) {
     to.longest_wave_m = from.longest_wave_m;
     to.shortest_wave_m = from.shortest_wave_m;
     to.wave_strength = from.wave_strength;
-    to.wave_height_m = from.wave_height_m == 0 ? -1 : from.wave_height_m;
+    to.wave_height_m = from.wave_height_m;
     to.wave_drag = from.wave_drag;
     to.regular_height_m = from.regular_height_m;
     to.regular_period_s = from.regular_period_s;
@@ -192,8 +195,8 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         const SeaState state = sea_of(sea);
         if (const std::string reason = check(state); !reason.empty()) reject(reason);
         const SeaReport report = report_on(state);
-        const SystemStatistics wind_sea = report.wind_sea.value_or(SystemStatistics{}),
-                         swell = report.swell.value_or(SystemStatistics{});
+        const SystemReport wind_sea = report.wind_sea.value_or(SystemReport{}),
+                           swell = report.swell.value_or(SystemReport{});
         pelagic_statistics all{};
         all.expected_wave_height_m = report.expected.significant_wave_height_m;
         all.realised_wave_height_m = report.realised_significant_wave_height_m;

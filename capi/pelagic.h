@@ -148,7 +148,9 @@ enum {
     PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0,    /* scaled as in VR Ocean, without a swell */
     PELAGIC_SPECTRUM_PHILLIPS = 1,          /* Phillips' shape with a physical height */
     PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2, /* a fully developed sea; no fetch */
-    PELAGIC_SPECTRUM_JONSWAP = 3            /* a sea that grows with the fetch */
+    PELAGIC_SPECTRUM_JONSWAP = 3,           /* a sea that grows with the fetch */
+    /* No wind sea: only the swell and systems; the wind still sets roughness, drift and foam. */
+    PELAGIC_SPECTRUM_NONE = 4
 };
 
 enum {
@@ -162,12 +164,18 @@ enum {
 /* A wave system: waves of one spectrum and one spreading. Zeros are not valid. */
 /* generated from schema/wave_system.toml: c-struct */
 typedef struct pelagic_wave_system {
-    int32_t spectrum;      /* PELAGIC_SPECTRUM_...; spectrum of the system */
-    int32_t spreading;     /* PELAGIC_SPREADING_...; directional spreading, where spread_rad is 0 */
+    /* PELAGIC_SPECTRUM_...; spectrum: jonswap, pierson-moskowitz or phillips. By height, pierson-moskowitz is
+     * jonswap with gamma 1. */
+    int32_t spectrum;
+    /* PELAGIC_SPREADING_...; directional spreading, where spread_rad is 0. Hasselmann's and cosine-2s depend on
+     * the wind; by height and period it is the wind that raises such waves in JONSWAP's growth. */
+    int32_t spreading;
     double wind_speed_mps; /* U10 of the wind of the system; (0, 60] */
     double fetch_m;        /* distance that it has blown over water (jonswap); (0, 2e6] */
-    double height_m;       /* significant wave height, Hm0; [0, 30]. 0: by the wind */
-    double peak_period_s;  /* peak period; [1, 40]. 0: by the wind */
+    /* Significant wave height, Hm0; (0, 30]. 0: by the wind and peak_period_s. With peak_period_s, the system has
+     * both at any depth. Of one alone, the other follows as of the wind sea. */
+    double height_m;
+    double peak_period_s; /* peak period; [1, 40]. 0: by the wind and height_m */
     /* Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10]. */
     double peak_enhancement;
     double direction_rad; /* direction that the waves run towards, from +x towards +z; [-2 pi, 2 pi] */
@@ -184,10 +192,10 @@ static inline pelagic_wave_system pelagic_wave_system_make(void) {
 /* generated from schema/sea.toml: c-struct */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, lean, short_wave_cutoff,
-     * wind_alignment, the swell, systems and seed, and only a spectrum and a regular wave depth_m. Only the other
-     * models use wave_count and the options after it. All models use the wind, whose direction is that of their
-     * waves. */
+    /* PELAGIC_WAVES_...; wave model. Only a spectrum uses spectrum, spreading, fetch_m, peak_period_s, lean,
+     * short_wave_cutoff, wind_alignment, the swell, systems and seed, and only a spectrum and a regular wave
+     * depth_m. Only the other models use wave_count and the options after it but wave_height_m and systems. All
+     * models use the wind, whose direction is that of their waves. */
     int32_t waves;
     int32_t spectrum; /* PELAGIC_SPECTRUM_...; wave spectrum */
     /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper has paper, whatever this is by
@@ -211,16 +219,20 @@ typedef struct pelagic_sea {
     double wind_speed_mps;     /* U10, mean wind speed 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
     /* Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has an effect;
-     * (0, 2e6]. */
+     * (0, 2e6]. Excludes wave_height_m and peak_period_s. */
     double fetch_m;
+    /* Peak period of the wind sea (jonswap, pierson-moskowitz); [1, 40]. 0: by wave_height_m and the wind. With
+     * wave_height_m, the wind sea has that height and period at any depth. Of one alone, the other follows from
+     * JONSWAP's growth in this wind with the fetch eliminated; of pierson-moskowitz, from its peak. */
+    double peak_period_s;
     /* Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10]. */
     double peak_enhancement;
     /* Depth of the water, which slows and lowers long waves; [0.01, 11000]. Waves higher than 0.6 of it break. */
     double depth_m;
     double choppiness; /* scale of horizontal displacements; [0, 1]. 0 gives a height field */
-    /* Forward displacement of crests, as a fraction of the displacement that sharpens them; [0, 0.6]. -1: 0 up to
-     * 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for phillips-paper. It makes fronts steeper than backs. A swell
-     * does not lean. */
+    /* Forward displacement of crests of the wind sea, as a fraction of the displacement that sharpens them;
+     * [0, 0.6]. -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for phillips-paper. It makes fronts steeper
+     * than backs. A swell and systems do not lean. */
     double lean;
     /* GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes that the
      * cascades do not resolve in this wind. */
@@ -245,8 +257,8 @@ typedef struct pelagic_sea {
     double shortest_wave_m;
     /* Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2]. */
     double wave_strength;
-    /* Significant wave height of an analytic sea or a pond; [0, 30]. 0: from wave_strength, of a pond 0.017
-     * longest_wave_m. Of a pond it is above 0. */
+    /* Significant wave height of the wind sea (jonswap, pierson-moskowitz), of an analytic sea or of a pond;
+     * (0, 30]. 0: from the wind, of analytic waves from wave_strength, of a pond 0.017 longest_wave_m. */
     double wave_height_m;
     double wave_drag;        /* horizontal drag of a pond's short waves by its long ones; [0, 1] */
     double regular_height_m; /* height of a regular wave from trough to crest; (0, 60] */

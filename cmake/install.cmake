@@ -71,7 +71,7 @@ set(message_headers enum_names numeric_field)
 set(analytic_headers analytic_glsl analytic_sea analytic_surface pond_waves plane_waves)
 set(jobs_headers chrome_trace executor job_graph sliced_executor trace)
 set(simd_headers allocator isa)
-set(sim_headers analytic_cascades cascade cascade_plan cascade_sum dispersion disturbance dynamic_waves dynamic_waves_view foam_report forecast frame frame_bounds frame_buffers
+set(sim_headers analytic_cascades cascade cascade_plan cascade_sum dispersion disturbance dynamic_waves dynamic_waves_view fixed_list foam_report forecast frame frame_bounds frame_buffers
                 gerstner_input ocean pressure_footprint rain ripple_input sea_state shore shore_surface slope_sum slope_variance snapshot_foam spray statistics surface_query
                 surface_query_jobs surface_ray texture_targets water_frame wave_input)
 set(floating_headers floating_bodies hull hull_mesh hull_plan hull_spray hull_wake)

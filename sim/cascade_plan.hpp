@@ -46,6 +46,9 @@ struct CascadePlan {
 struct WaveReach {
     double peak_m = 0;  ///< longest peak wavelength
     double end_k = 0;   ///< rad/m; larger wave numbers are unresolved roughness
+    /// End of the waves that the mean period of given systems depends on, rad/m; 0 without such.
+    /// Where a stack does not reach it, its coarsest side is smaller, at least four peak_m.
+    double tail_k = 0;
 
     /// Returns the range of one sea; zeros if patch_size_m is set, whose grid determines the range.
     static WaveReach of(const SeaState& sea);

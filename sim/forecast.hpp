@@ -29,7 +29,8 @@ struct SeaChange {
     double from_s = 0;  ///< start
     double over_s = 0;  ///< duration; (0, 1e9]
     /// Distance to the origin of the swell, whose waves are all raised there at one moment; [1e3,
-    /// 2e7]. Unset: all waves change together. The sea must have a swell. Long waves arrive first,
+    /// 2e7]. Unset: all waves change together. The sea must have a swell or systems, of which the longest
+    /// peak period is that of the swell. Long waves arrive first,
     /// by their group velocities cg = d omega / d k, and each changes over over_s:
     ///
     ///   begin(omega) = from_s + swell_from_m (1 / cg(omega) - 1 / cg(omega of 1.5 swell periods))
@@ -94,8 +95,8 @@ std::vector<CascadePlan> plan_cascades(const Forecast& forecast);
 /// Returns the sea state that a frame reports during a transition.
 ///
 /// Numbers are interpolated with `weight`, heights of swell by their energy. Directions
-/// rotate through the smaller angle (for a half turn from +x towards +z). Models are those of the
-/// sea with the larger weight. Values that only one of the seas has, such as a swell's period and
+/// rotate through the smaller angle (for a half turn from +x towards +z). Models and systems are
+/// those of the sea with the larger weight. Values that only one of the seas has, such as a swell's period and
 /// direction or a given roughness, are taken from that sea. The waves themselves are the blend of
 /// both seas' energies, whose statistics are in SeaStatistics. \pre weight in [0, 1]
 SeaState sea_between(const SeaState& before, const SeaState& after, double weight);

@@ -6,10 +6,10 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "pelagic/message/enum_names.hpp"
 #include "pelagic/message/numeric_field.hpp"
+#include "pelagic/sim/fixed_list.hpp"
 
 namespace pelagic {
 
@@ -32,11 +32,13 @@ enum class SpectrumModel {
     pierson_moskowitz,
     /// A sea that grows with the fetch.
     jonswap,
+    /// No wind sea: only the swell and systems; the wind still sets roughness, drift and foam.
+    none,
 };
 template <>
 struct EnumNames<SpectrumModel> {
-    static constexpr std::array<std::string_view, 4> all = {
-        "phillips-paper", "phillips", "pierson-moskowitz", "jonswap"};
+    static constexpr std::array<std::string_view, 5> all = {
+        "phillips-paper", "phillips", "pierson-moskowitz", "jonswap", "none"};
 };
 
 /// Directional spreading around the wind. The measured models, hasselmann and donelan-banner,
@@ -60,17 +62,26 @@ struct EnumNames<SpreadingModel> {
 /// Number of cascades that holds the waves of a sea down to a length of about 0.1 m.
 inline constexpr int default_cascades = 4;
 
-/// A wave system: waves of one spectrum and one spreading. wave_system_fields() lists the ranges.
+/// Largest number of wave systems besides the wind sea and the swell.
+inline constexpr std::size_t max_wave_systems = 8;
+
+/// Waves of one origin, besides the wind sea and the swell: by a wind, as the wind sea is, or by
+/// height and period. Breaking and short_wave_cutoff of the sea affect it, too.
+/// wave_system_fields() lists the ranges.
 struct WaveSystem {
     // generated from schema/wave_system.toml: members
-    SpectrumModel spectrum = SpectrumModel::jonswap;  ///< spectrum of the system
-    /// Directional spreading, where spread_rad is 0.
+    /// Spectrum: jonswap, pierson-moskowitz or phillips. By height, pierson-moskowitz is jonswap
+    /// with gamma 1.
+    SpectrumModel spectrum = SpectrumModel::jonswap;
+    /// Directional spreading, where spread_rad is 0. Hasselmann's and cosine-2s depend on the wind;
+    /// by height and period it is the wind that raises such waves in JONSWAP's growth.
     SpreadingModel spreading = SpreadingModel::donelan_banner;
     double wind_speed_mps = 12;  ///< U10 of the wind of the system; (0, 60]
     double fetch_m = 100e3;      ///< distance that it has blown over water (jonswap); (0, 2e6]
-    /// Significant wave height, Hm0; [0, 30]. 0: by the wind.
+    /// Significant wave height, Hm0; (0, 30]. 0: by the wind and peak_period_s. With peak_period_s,
+    /// the system has both at any depth. Of one alone, the other follows as of the wind sea.
     double height_m = 0;
-    /// Peak period; [1, 40]. 0: by the wind.
+    /// Peak period; [1, 40]. 0: by the wind and height_m.
     double peak_period_s = 0;
     /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
     /// [1, 10].
@@ -88,10 +99,10 @@ struct WaveSystem {
 /// checks them.
 struct SeaState {
     // generated from schema/sea.toml: members
-    /// Wave model. Only a spectrum uses spectrum, spreading, fetch_m, lean, short_wave_cutoff,
-    /// wind_alignment, the swell, systems and seed, and only a spectrum and a regular wave depth_m.
-    /// Only the other models use wave_count and the options after it. All models use the wind,
-    /// whose direction is that of their waves.
+    /// Wave model. Only a spectrum uses spectrum, spreading, fetch_m, peak_period_s, lean,
+    /// short_wave_cutoff, wind_alignment, the swell, systems and seed, and only a spectrum and a
+    /// regular wave depth_m. Only the other models use wave_count and the options after it but
+    /// wave_height_m and systems. All models use the wind, whose direction is that of their waves.
     WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;  ///< wave spectrum
     /// Directional spreading. The spectrum phillips-paper has paper, whatever this is by default.
@@ -110,8 +121,13 @@ struct SeaState {
     /// Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi].
     double wind_direction_rad = 0;
     /// Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
-    /// an effect; (0, 2e6].
+    /// an effect; (0, 2e6]. Excludes wave_height_m and peak_period_s.
     double fetch_m = 100e3;
+    /// Peak period of the wind sea (jonswap, pierson-moskowitz); [1, 40]. 0: by wave_height_m and
+    /// the wind. With wave_height_m, the wind sea has that height and period at any depth. Of one
+    /// alone, the other follows from JONSWAP's growth in this wind with the fetch eliminated; of
+    /// pierson-moskowitz, from its peak.
+    double peak_period_s = 0;
     /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
     /// [1, 10].
     double peak_enhancement = 3.3;
@@ -120,9 +136,9 @@ struct SeaState {
     double depth_m = 4000;
     /// Scale of horizontal displacements; [0, 1]. 0 gives a height field.
     double choppiness = 0.8;
-    /// Forward displacement of crests, as a fraction of the displacement that sharpens them;
-    /// [0, 0.6]. -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for phillips-paper. It makes
-    /// fronts steeper than backs. A swell does not lean.
+    /// Forward displacement of crests of the wind sea, as a fraction of the displacement that
+    /// sharpens them; [0, 0.6]. -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for
+    /// phillips-paper. It makes fronts steeper than backs. A swell and systems do not lean.
     double lean = -1;
     /// GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
     /// that the cascades do not resolve in this wind.
@@ -153,9 +169,10 @@ struct SeaState {
     double shortest_wave_m = 0;
     /// Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2].
     double wave_strength = 1;
-    /// Significant wave height of an analytic sea or a pond; [0, 30]. -1: from wave_strength, of a
-    /// pond 0.017 longest_wave_m. Of a pond it is above 0.
-    double wave_height_m = -1;
+    /// Significant wave height of the wind sea (jonswap, pierson-moskowitz), of an analytic sea or
+    /// of a pond; (0, 30]. 0: from the wind, of analytic waves from wave_strength, of a pond 0.017
+    /// longest_wave_m.
+    double wave_height_m = 0;
     double wave_drag = 0.38;      ///< horizontal drag of a pond's short waves by its long ones; [0, 1]
     double regular_height_m = 2;  ///< height of a regular wave from trough to crest; (0, 60]
     /// Period of a regular wave; [0.2, 60]. loop_period_s is a whole number of them.
@@ -164,7 +181,7 @@ struct SeaState {
     /// choppiness does not make.
     int order = 1;
     /// Wave systems, in addition to the waves of the wind and the swell; at most 8.
-    std::vector<WaveSystem> systems = {};
+    FixedList<WaveSystem, 8> systems = {};
     // end of generated
 };
 
@@ -200,11 +217,13 @@ std::string check_wave_system(const WaveSystem& system);
 /// Returns an empty string for a usable sea, else a message about the first invalid field:
 /// "wind_speed_mps -3 is out of range (0, 60]".
 ///
-/// phillips-paper has no physical height for a swell to be added to, and only its own spreading.
-/// Only a spectrum has a swell. For the other models patch_size_m must be at least the longest
-/// wavelength. Analytic waves, as the cascades hold them, must not be steeper than 0.4
-/// (max_steepness). The loop holds whole periods of a regular wave, which is no higher than breaking
-/// (Miche 1944); at order 2 its second harmonic is at most half of the first.
+/// phillips-paper has no physical height for a swell or systems to be added to, and only its own
+/// spreading. Only a spectrum has a swell and systems, and `none` needs one of them. A height or a
+/// period needs jonswap or pierson-moskowitz, and the default fetch. For the other models
+/// patch_size_m must be at least the longest wavelength. Analytic waves, as the cascades hold them,
+/// must not be steeper than 0.4 (max_steepness). The loop holds whole periods of a regular wave, which
+/// is no higher than breaking (Miche 1944); at order 2 its second harmonic is at most half of the
+/// first.
 std::string check(const SeaState&);
 
 /// A named sea: sea states, mildest first, and then the open sea of each wind force, beaufort-0 to

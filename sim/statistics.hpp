@@ -46,8 +46,8 @@ double measured_significant_wave_height_m(const Frame& frame);
 /// T_p = (integral S^4 df) / (integral f S^4 df) over their energies in bands of frequency (Young
 /// 1995). O(N^2).
 ///
-/// For a sea with a swell it is the period of the system, wind sea or swell, that has the model's
-/// peak. A wave counts for both systems, by their fractions of its energy over all seeds.
+/// For a sea of several systems it is the period of the system that has the model's peak. A wave
+/// counts for each system, by its fraction of the energy over all seeds.
 double measured_peak_period_s(const SeaState& sea);
 
 /// Distribution of the realised waves' energy over the frequencies of their loop. A loop contains
@@ -102,14 +102,15 @@ struct MeanPeriods {
     double tm02_s = 0;
 };
 
-/// The wind sea or the swell of a sea that has both.
-struct SystemStatistics {
-    /// Of the waves that the grid holds, mean over all seeds.
+/// One wave system of a sea: the wind sea, the swell, or one of SeaState::systems. Expected values are
+/// those of the waves that the grid holds, mean over all seeds; realised ones are those of this seed.
+struct SystemReport {
     double significant_wave_height_m = 0;
     double realised_significant_wave_height_m = 0;
     double peak_period_s = 0;        ///< of the maximum of this system's frequency spectrum
-    /// Of this seed; none if the grid holds no waves of the system.
+    /// None if the grid holds no waves of the system.
     std::optional<double> realised_peak_period_s = {};
+    WaveDirections expected_directions, realised_directions;
 };
 
 /// Slope variance of the waves that a cascade holds, mean over all seeds. Its texels do not resolve
@@ -128,7 +129,9 @@ struct SeaReport {
     double realised_peak_period_s = 0;              ///< measured_peak_period_s()
     MeanPeriods expected_periods;
     MeanPeriods realised_periods;               ///< of this seed's waves, at the loop's frequencies
-    std::optional<SystemStatistics> wind_sea, swell;  ///< only for a spectrum with a swell
+    std::optional<SystemReport> wind_sea;       ///< of a spectrum with other systems
+    std::optional<SystemReport> swell;          ///< of a spectrum with a swell
+    std::vector<SystemReport> systems;          ///< of SeaState::systems
     /// Variance of the horizontal convergence Dx,x + Dz,z, at the sea's choppiness. 0 for a pond.
     double expected_convergence_variance = 0, realised_convergence_variance = 0;
     /// Sum of Cascade::level_m, by which heights are raised so that the mean level is 0, in metres.
@@ -160,7 +163,8 @@ std::string warning_about(const Forecast& forecast);
 
 /// Returns warnings about a sea, a sentence each: a patch shorter than two peak wavelengths, a grid
 /// too coarse for the peak, or a loop so short that the peak period is far off or few frequencies
-/// remain.
+/// remain. One more describes how the waves of
+/// the grid differ from the heights, periods, directions and spreads that are given.
 std::vector<std::string> warnings_about(const SeaState& sea);
 
 }  // namespace pelagic

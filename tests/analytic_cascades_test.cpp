@@ -273,9 +273,6 @@ TEST(AnalyticCascades, ReportedHeightEqualsFrameHeight) {
     SeaState of_height = moderate;
     of_height.wave_height_m = 2;
     EXPECT_NEAR(expected_waves(of_height).significant_wave_height_m, 2, 1e-9);
-    of_height.wave_height_m = 0;
-    EXPECT_EQ(check(of_height), "");
-    EXPECT_EQ(expected_waves(of_height).significant_wave_height_m, 0);
 }
 
 // A transition interpolates each wave's energy: A = sqrt((1 - s) A0^2 + s A1^2), s = u^2 (3 - 2u).

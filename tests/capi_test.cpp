@@ -139,7 +139,7 @@ TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
         {"wind_speed_mps -3 is out of range (0, 60]", [](pelagic_sea& sea) { sea.wind_speed_mps = -3; }},
         {"fetch_m 0 is out of range (0, 2e6]", [](pelagic_sea& sea) { sea.fetch_m = 0; }},
         {"spreading is 4, expected one of PELAGIC_SPREADING_...", [](pelagic_sea& sea) { sea.spreading = 4; }},
-        {"wave_height_m 31 is out of range (0, 30], or 0: derived", [](pelagic_sea& sea) { sea.wave_height_m = 31; }},
+        {"wave_height_m 31 is out of range (0, 30], or 0: chosen", [](pelagic_sea& sea) { sea.wave_height_m = 31; }},
         {"swell_spread_rad 2 is out of range [pi/180, 4 pi/9]", [](pelagic_sea& sea) { sea.swell_spread_rad = 2; }},
         {"cascades is 5, expected 1, 2, 3 or 4", [](pelagic_sea& sea) { sea.cascades = 5; }},
         {"cascades is 2, expected 1 where the side of the cascade is given",

@@ -466,8 +466,11 @@ std::map<std::string, SeaState> seas_of_one_cascade() {
           .roughness = 0.2,
           .wind_alignment = 0.7}}};
     for (const SpectrumModel model : values_of<SpectrumModel>())
-        seas[std::string(name_of(model)) + "-64"] = {
-            .spectrum = model, .resolution = 64, .patch_size_m = 250, .roughness = 0.1};
+        seas[std::string(name_of(model)) + "-64"] = {.spectrum = model,
+                                                     .resolution = 64,
+                                                     .patch_size_m = 250,
+                                                     .roughness = 0.1,
+                                                     .swell_height_m = model == SpectrumModel::none ? 2.0 : 0};
     for (auto& [name, sea] : seas) {
         sea.spreading = SpreadingModel::paper;
         sea.lean = 0;
@@ -492,7 +495,10 @@ TEST(Determinism, DeepCascadesKeepTheirDisplacement) {
 TEST(Determinism, FramesHaveTheGoldenHashes) {
     std::map<std::string, SeaState> seas = {{"default", {}}};
     for (const SpectrumModel model : values_of<SpectrumModel>())
-        seas[std::string(name_of(model)) + "-64"] = {.spectrum = model, .resolution = 64, .patch_size_m = 250};
+        seas[std::string(name_of(model)) + "-64"] = {.spectrum = model,
+                                                     .resolution = 64,
+                                                     .patch_size_m = 250,
+                                                     .swell_height_m = model == SpectrumModel::none ? 2.0 : 0};
     for (const SpreadingModel model : values_of<SpreadingModel>())
         if (model != SeaState{}.spreading)
             seas["spreading-" + std::string(name_of(model)) + "-64"] = {
@@ -503,6 +509,17 @@ TEST(Determinism, FramesHaveTheGoldenHashes) {
     seas["analytic-64"] = analytic_sea_state;
     seas["pond-64"] = pond;
     seas["short-wave-cutoff-64"] = {.resolution = 64, .patch_size_m = 250, .short_wave_cutoff = 0.8};
+    const auto with_systems = [](SeaState sea) {
+        sea.systems = {
+            {.height_m = 1.2, .peak_period_s = 12, .direction_rad = 2, .spread_rad = 0.26},
+            {.spreading = SpreadingModel::hasselmann, .wind_speed_mps = 8, .fetch_m = 30e3, .direction_rad = -1},
+            {.spectrum = SpectrumModel::pierson_moskowitz, .height_m = 0.5}};
+        return sea;
+    };
+    seas["systems"] = with_systems({});
+    seas["systems-64"] =
+        with_systems({.spectrum = SpectrumModel::none, .resolution = 64, .patch_size_m = 900, .depth_m = 20});
+    seas["wind-sea-by-height"] = {.peak_period_s = 7, .wave_height_m = 2};
     for (const std::string name : {"calm", "moderate", "rough", "storm"})
         seas["preset-" + name] = sea_preset_named(name)->sea;
 

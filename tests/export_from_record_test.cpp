@@ -79,6 +79,7 @@ const std::map<std::string, Words> other_values = {
     {"shortest-wave", {"--waves", "analytic", "--shortest-wave", "3"}},
     {"wave-strength", {"--waves", "analytic", "--wave-strength", "0.5"}},
     {"wave-height", {"--waves", "analytic", "--wave-height", "2"}},
+    {"peak-period", {"--wave-height", "2", "--peak-period", "7"}},
     {"wave-drag", {"--waves", "pond", "--wave-drag", "0.2"}},
     {"events", {"--events", events_placeholder}},
     {"events-side", {"--events", events_placeholder, "--events-side", "80"}},

@@ -291,6 +291,7 @@ TEST(Direction, WavesTravelDownwind) {
 
 TEST(Crests, AreSharpAndHaveTheLowestJacobian) {
     for (const SpectrumModel model : values_of<SpectrumModel>()) {
+        if (model == SpectrumModel::none) continue;
         const SeaState sea{.spectrum = model, .resolution = 256, .patch_size_m = 250, .choppiness = 1};
         Ocean ocean = serial_ocean(sea);
         const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(2));

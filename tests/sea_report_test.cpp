@@ -78,7 +78,7 @@ TEST(SeaReport, SlopesAreTheSumOverTheWaves) {
         for (int m = -31; m <= 31; ++m) {
             if (m == 0 && n == 0) continue;
             const double kx = m * spacing, kz = n * spacing;
-            const double energy = oracle::density(sea, kx, kz) * spacing * spacing;
+            const double energy = oracle::cell_density(sea, m, n) * spacing * spacing;
             along += energy * std::pow(kx * std::cos(0.8) + kz * std::sin(0.8), 2);
             across += energy * std::pow(kz * std::cos(0.8) - kx * std::sin(0.8), 2);
         }

@@ -47,9 +47,20 @@ TEST_P(UnfusedOnEachIsa, StagesAreBitIdenticalToTheFusedJobs) {
     expect_same_bits({.resolution = n, .patch_size_m = 250}, 0, isa, "default");
     expect_same_bits({.resolution = n, .patch_size_m = 250, .choppiness = 0}, 3, isa, "without choppiness");
     for (const SpectrumModel model : values_of<SpectrumModel>())
-        expect_same_bits(
-            {.spectrum = model, .resolution = n, .patch_size_m = 250, .wind_speed_mps = 4, .roughness = 0.5}, 7.5,
-            isa, "every spectrum");
+        expect_same_bits({.spectrum = model,
+                          .resolution = n,
+                          .patch_size_m = 250,
+                          .wind_speed_mps = 4,
+                          .roughness = 0.5,
+                          .swell_height_m = model == SpectrumModel::none ? 2.0 : 0},
+                         7.5, isa, "every spectrum");
+    expect_same_bits({.spectrum = SpectrumModel::none,
+                      .resolution = n,
+                      .patch_size_m = 900,
+                      .depth_m = 30,
+                      .systems = {{.height_m = 2, .peak_period_s = 10, .direction_rad = 2, .spread_rad = 0.3},
+                                  {.spreading = SpreadingModel::donelan_banner, .peak_period_s = 6}}},
+                     7.5, isa, "systems");
     expect_same_bits({.spectrum = SpectrumModel::phillips_paper,
                       .resolution = n,
                       .patch_size_m = 50,

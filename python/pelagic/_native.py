@@ -18,6 +18,7 @@ PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0
 PELAGIC_SPECTRUM_PHILLIPS = 1
 PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2
 PELAGIC_SPECTRUM_JONSWAP = 3
+PELAGIC_SPECTRUM_NONE = 4
 PELAGIC_SPREADING_PAPER = 0
 PELAGIC_SPREADING_COSINE_2S = 1
 PELAGIC_SPREADING_HASSELMANN = 2
@@ -77,6 +78,7 @@ class pelagic_sea(ctypes.Structure):
         ("wind_speed_mps", c_double),
         ("wind_direction_rad", c_double),
         ("fetch_m", c_double),
+        ("peak_period_s", c_double),
         ("peak_enhancement", c_double),
         ("depth_m", c_double),
         ("choppiness", c_double),

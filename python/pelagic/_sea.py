@@ -47,21 +47,26 @@ class WaveSystem:
 
     # generated from schema/wave_system.toml: python-fields
     spectrum: str = "jonswap"
-    """Spectrum of the system: "phillips-paper" (scaled as in VR Ocean, without a swell), "phillips"
-    (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
-    "jonswap" (a sea that grows with the fetch)."""
+    """Spectrum: jonswap, pierson-moskowitz or phillips: "phillips-paper" (scaled as in VR Ocean,
+    without a swell), "phillips" (Phillips' shape with a physical height), "pierson-moskowitz" (a
+    fully developed sea; no fetch), "jonswap" (a sea that grows with the fetch), "none" (no wind
+    sea: only the swell and systems; the wind still sets roughness, drift and foam). By height,
+    pierson-moskowitz is jonswap with gamma 1."""
     spreading: str = "donelan-banner"
     """Directional spreading, where spread_rad is 0: "paper" (VR Ocean, by wind_alignment),
     "cosine-2s" (measured, Longuet-Higgins et al. 1963), "hasselmann" (measured, Hasselmann et al.
-    1980), "donelan-banner" (measured, Donelan et al. 1985 and Banner 1990)."""
+    1980), "donelan-banner" (measured, Donelan et al. 1985 and Banner 1990). Hasselmann's and
+    cosine-2s depend on the wind; by height and period it is the wind that raises such waves in
+    JONSWAP's growth."""
     wind_speed_mps: float = 12.0
     """U10 of the wind of the system; (0, 60]."""
     fetch_m: float = 100e3
     """Distance that it has blown over water (jonswap); (0, 2e6]."""
     height_m: float = 0.0
-    """Significant wave height, Hm0; [0, 30]. 0: by the wind."""
+    """Significant wave height, Hm0; (0, 30]. 0: by the wind and peak_period_s. With peak_period_s,
+    the system has both at any depth. Of one alone, the other follows as of the wind sea."""
     peak_period_s: float = 0.0
-    """Peak period; [1, 40]. 0: by the wind."""
+    """Peak period; [1, 40]. 0: by the wind and height_m."""
     peak_enhancement: float = 3.3
     """Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
     [1, 10]."""
@@ -94,13 +99,15 @@ class Sea:
     # generated from schema/sea.toml: python-fields
     waves: str = "spectrum"
     """Wave model: "spectrum", "analytic", "pond", "regular". Only a spectrum uses spectrum,
-    spreading, fetch_m, lean, short_wave_cutoff, wind_alignment, the swell, systems and seed, and
-    only a spectrum and a regular wave depth_m. Only the other models use wave_count and the options
-    after it. All models use the wind, whose direction is that of their waves."""
+    spreading, fetch_m, peak_period_s, lean, short_wave_cutoff, wind_alignment, the swell, systems
+    and seed, and only a spectrum and a regular wave depth_m. Only the other models use wave_count
+    and the options after it but wave_height_m and systems. All models use the wind, whose direction
+    is that of their waves."""
     spectrum: str = "jonswap"
     """Wave spectrum: "phillips-paper" (scaled as in VR Ocean, without a swell), "phillips"
     (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
-    "jonswap" (a sea that grows with the fetch)."""
+    "jonswap" (a sea that grows with the fetch), "none" (no wind sea: only the swell and systems;
+    the wind still sets roughness, drift and foam)."""
     spreading: str = "donelan-banner"
     """Directional spreading: "paper" (VR Ocean, by wind_alignment), "cosine-2s" (measured,
     Longuet-Higgins et al. 1963), "hasselmann" (measured, Hasselmann et al. 1980), "donelan-banner"
@@ -121,7 +128,12 @@ class Sea:
     """Direction that the wind blows towards, from +x towards +z; [-2 pi, 2 pi]."""
     fetch_m: float = 100e3
     """Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
-    an effect; (0, 2e6]."""
+    an effect; (0, 2e6]. Excludes wave_height_m and peak_period_s."""
+    peak_period_s: float = 0.0
+    """Peak period of the wind sea (jonswap, pierson-moskowitz); [1, 40]. 0: by wave_height_m and
+    the wind. With wave_height_m, the wind sea has that height and period at any depth. Of one
+    alone, the other follows from JONSWAP's growth in this wind with the fetch eliminated; of
+    pierson-moskowitz, from its peak."""
     peak_enhancement: float = 3.3
     """Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap);
     [1, 10]."""
@@ -131,9 +143,9 @@ class Sea:
     choppiness: float = 0.8
     """Scale of horizontal displacements; [0, 1]. 0 gives a height field."""
     lean: float = -1.0
-    """Forward displacement of crests, as a fraction of the displacement that sharpens them;
-    [0, 0.6]. -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for phillips-paper. It makes
-    fronts steeper than backs. A swell does not lean."""
+    """Forward displacement of crests of the wind sea, as a fraction of the displacement that
+    sharpens them; [0, 0.6]. -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for
+    phillips-paper. It makes fronts steeper than backs. A swell and systems do not lean."""
     roughness: float = -1.0
     """GGX roughness of unresolved waves, for the smoothness channel; [0, 1]. -1: from the slopes
     that the cascades do not resolve in this wind."""
@@ -168,9 +180,10 @@ class Sea:
     45."""
     wave_strength: float = 1.0
     """Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2]."""
-    wave_height_m: float = -1.0
-    """Significant wave height of an analytic sea or a pond; [0, 30]. -1: from wave_strength, of a
-    pond 0.017 longest_wave_m. Of a pond it is above 0."""
+    wave_height_m: float = 0.0
+    """Significant wave height of the wind sea (jonswap, pierson-moskowitz), of an analytic sea or
+    of a pond; (0, 30]. 0: from the wind, of analytic waves from wave_strength, of a pond 0.017
+    longest_wave_m."""
     wave_drag: float = 0.38
     """Horizontal drag of a pond's short waves by its long ones; [0, 1]."""
     regular_height_m: float = 2.0

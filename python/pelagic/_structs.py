@@ -35,7 +35,7 @@ NAMES = {field: [name[len(prefix):].lower().replace("_", "-") for name in vars(c
          for field, prefix in _NAMED_FIELDS.items()}
 # -1 stands for a derived value in Python and C, and so does 0 in C: there, this number stands for 0.
 _NEARLY_0 = 5e-324
-_ZERO_IN_C = ("wave_height_m", "swash_m")
+_ZERO_IN_C = ("swash_m",)
 
 
 def nearest_hint(name: str, names: Iterable[str]) -> str:
@@ -131,8 +131,6 @@ def values_of(struct: Any, names: Iterable[str]) -> dict[str, Any]:
     values = {name: getattr(struct, name) for name in names if hasattr(struct, name)}
     for name in values.keys() & NAMES.keys():
         values[name] = NAMES[name][values[name]]
-    if values.get("wave_height_m") == 0:
-        values["wave_height_m"] = -1.0
     return values
 
 

@@ -2,6 +2,7 @@
 // waves of an analytic sea are listed, not random, so their amplitudes equal the expected values.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <cstdint>
 #include <optional>
@@ -71,6 +72,12 @@ class CascadeWaves {
     /// Returns the variances of pair(), at lower cost. \pre holds(m, n) and holds(-m, n)
     MirroredVariances variances(int m, int n) const;
 
+    /// Variances of a wave for each of WaveSpectrum::systems(); the others are 0.
+    using VariancesBySystem = std::array<MirroredVariances, max_spectra>;
+    /// Returns the contribution of each system to variances(). \pre as of variances(), and sea.waves
+    /// is spectrum, but not phillips-paper
+    VariancesBySystem variances_by_system(int m, int n) const;
+
     /// Returns |h0|^2 of the wave (m, n) for this seed, m^2, at lower cost than the wave itself.
     /// \param variance  E|h0|^2 of the wave, m^2
     double realised_square(double variance, int m, int n) const;
@@ -80,8 +87,11 @@ class CascadeWaves {
     std::complex<double> amplitude(int m, int n) const;
 
    private:
-    MirroredVariances point_variances(double m, double n) const;
-    MirroredVariances cell_variances(int m, int n) const;
+    struct ShellOfPoint;
+    template <class Add>
+    double for_points_of_cell(int m, int n, const Add& add) const;
+    MirroredVariances point_variances(double m, double n, double widening) const;
+    int points_across(double steps, bool is_cut) const;
     Wave realised(double variance, int m, int n) const;
     Wave listed(int m, int n) const;
 
@@ -89,6 +99,7 @@ class CascadeWaves {
     CascadePlan cascade_;
     std::optional<WaveSpectrum> spectrum_;  ///< if empty, list_ holds all waves
     std::vector<GridWave> list_;            ///< sorted by grid index
+    double narrowest_rad_ = 0;              ///< of spectrum_
     Water listed_water_ = deep_water;       ///< of the listed waves
     std::optional<StokesWave> regular_;     ///< of a regular sea
 };

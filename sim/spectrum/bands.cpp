@@ -19,7 +19,13 @@ constexpr double papers_side_m = 250;
 /// Side of the coarsest cascade, in peak wavelengths: large enough that the repetition is not
 /// noticeable.
 constexpr double peak_waves = 16;
+/// Smallest side that holds a system as it is given, in its peak wavelengths.
+constexpr double least_peak_waves = 4;
 constexpr double min_side_m = 1, max_side_m = 1e5;
+
+/// Wave number that a given system is held to, in that of its peak: the variance of omega beyond it is
+/// 1.26 / 160 of a fully developed sea's, so that Tm02 is within 0.4 %.
+constexpr double tail_of_peak = 160;
 
 /// Smallest number of texels per wavelength, and distance of a cascade's longest waves from k = 0
 /// in grid steps. The distance ensures enough directions.
@@ -81,18 +87,38 @@ std::vector<CascadePlan> with_few_waves(std::vector<CascadePlan> cascades) {
     return cascades;
 }
 
+/// Returns the longest peak and the tail of a sea's systems; zeros if none is given.
+WaveReach reach_of_systems(const WaveSpectrum& spectrum, const SeaState& sea) {
+    WaveReach reach;
+    if (!has_given_systems(sea)) return reach;
+    for (const SystemSpectrum& system : spectrum.systems()) {
+        const double k = wave_number(system.peak_radps(), sea.depth_m);
+        reach.extend_to({two_pi / k, 0, tail_of_peak * k});
+    }
+    reach.end_k = std::min(reach.tail_k, two_pi / shortest_wave_m);
+    return reach;
+}
+
 /// Returns the largest wave number of a sea, rad/m.
 double end_of_waves(const SeaState& sea) {
     if (sea.waves == WaveModel::analytic) return margin_of_shortest * two_pi / shortest_wave_of(sea);
-    return end_of_slopes(spectrum_of_stack(sea), sea);
+    const WaveSpectrum spectrum = spectrum_of_stack(sea);
+    return std::max(end_of_slopes(spectrum, sea), reach_of_systems(spectrum, sea).end_k);
 }
 
 std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach, double end_k) {
     const int count = cascades_of(sea), n = resolution_of(sea);
-    const double coarsest_m = std::clamp(
-        short_number(std::clamp(peak_waves * reach.peak_m, min_side_m, max_side_m), false), min_side_m, max_side_m);
+    double coarsest_m = std::clamp(short_number(std::clamp(peak_waves * reach.peak_m, min_side_m, max_side_m), false),
+                                   min_side_m, max_side_m);
 
     const double widest = n / (band_texels_per_wave * steps_per_band);
+    double held_k = two_pi * n / (band_texels_per_wave * coarsest_m);
+    for (int number = 1; number < count; ++number) held_k *= widest;
+    if (reach.tail_k > held_k)
+        coarsest_m =
+            std::min(coarsest_m, short_number(std::max(coarsest_m * held_k / reach.tail_k,
+                                                       std::max(min_side_m, least_peak_waves * reach.peak_m)),
+                                              true));
     double ratio = widest;
     if (count > 1) {
         const double finest_m = two_pi / reach.end_k * n / band_texels_per_wave;
@@ -125,12 +151,15 @@ WaveReach WaveReach::of(const SeaState& sea) {
     if (sea.waves == WaveModel::analytic)
         return environment.result(WaveReach{longest_wave_of(sea), end_of_waves(sea)});
     const WaveSpectrum spectrum = spectrum_of_stack(sea);
-    return environment.result(WaveReach{two_pi / peak_of(spectrum, sea).k, end_of_slopes(spectrum, sea)});
+    WaveReach reach{two_pi / peak_of(spectrum, sea).k, end_of_slopes(spectrum, sea)};
+    reach.extend_to(reach_of_systems(spectrum, sea));
+    return environment.result(WaveReach{reach});
 }
 
 WaveReach& WaveReach::extend_to(const WaveReach& other) {
     peak_m = std::max(peak_m, other.peak_m);
     end_k = std::max(end_k, other.end_k);
+    tail_k = std::max(tail_k, other.tail_k);
     return *this;
 }
 

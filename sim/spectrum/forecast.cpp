@@ -8,6 +8,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
+#include "pelagic/sim/spectrum/system_spectrum.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -140,7 +141,7 @@ std::string check(const Forecast& forecast) {
         if (const std::optional<double> afar = change.swell_from_m) {
             if (!(*afar >= min_swell_from_m && *afar <= max_swell_from_m))
                 return invalid_value_message(of_change("swell_from_m", number), *afar, "[1e3, 2e7]");
-            if (change.sea.swell_height_m == 0)
+            if (!(period_of_swell_s(change.sea) > 0))
                 return invalid_value_message(of_change("swell_from_m", number), *afar,
                                              "none where the sea has no swell");
         }
@@ -194,6 +195,7 @@ SeaState sea_between(const SeaState& before, const SeaState& after, double weigh
             if (before.**number != field.also && after.**number != field.also)
                 sea.** number = number_between(before.**number, after.**number, weight);
     sea.wind_direction_rad = direction_between(before.wind_direction_rad, after.wind_direction_rad, weight);
+    if (is_by_height(wind_sea_of(sea))) sea.fetch_m = SeaState{}.fetch_m;  // check() accepts no other
     if (before.roughness < 0 || after.roughness < 0) sea.roughness = std::max(before.roughness, after.roughness);
 
     if (before.swell_height_m > 0 && after.swell_height_m > 0) {

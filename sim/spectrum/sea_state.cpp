@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/spectrum/system_spectrum.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/simd/constants.hpp"
 
@@ -23,6 +24,7 @@ constexpr SeaStateField sea_state_field_table[] = {
     {"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Restriction::above_min},
     {"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     {"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Restriction::above_min},
+    {"peak_period_s", &SeaState::peak_period_s, 1, 40, "[1, 40], or 0: chosen", Restriction::none, 0},
     {"peak_enhancement", &SeaState::peak_enhancement, 1, 10, "[1, 10]"},
     {"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
     {"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
@@ -40,7 +42,7 @@ constexpr SeaStateField sea_state_field_table[] = {
     {"longest_wave_m", &SeaState::longest_wave_m, 0.02, 1000, "[0.02, 1000], or 0: chosen", Restriction::none, 0},
     {"shortest_wave_m", &SeaState::shortest_wave_m, 0.01, 1000, "[0.01, 1000], or 0: chosen", Restriction::none, 0},
     {"wave_strength", &SeaState::wave_strength, 0, 2, "[0, 2]"},
-    {"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], or -1: chosen", Restriction::none, -1},
+    {"wave_height_m", &SeaState::wave_height_m, 0, 30, "(0, 30], or 0: chosen", Restriction::above_min, 0},
     {"wave_drag", &SeaState::wave_drag, 0, 1, "[0, 1]"},
     {"regular_height_m", &SeaState::regular_height_m, 0, 60, "(0, 60]", Restriction::above_min},
     {"regular_period_s", &SeaState::regular_period_s, 0.2, 60, "[0.2, 60]"},
@@ -52,7 +54,7 @@ constexpr NumericField<WaveSystem> wave_system_field_table[] = {
     // generated from schema/wave_system.toml: table
     {"wind_speed_mps", &WaveSystem::wind_speed_mps, 0, 60, "(0, 60]", Restriction::above_min},
     {"fetch_m", &WaveSystem::fetch_m, 0, 2e6, "(0, 2e6]", Restriction::above_min},
-    {"height_m", &WaveSystem::height_m, 0, 30, "[0, 30]"},
+    {"height_m", &WaveSystem::height_m, 0, 30, "(0, 30], or 0: by the wind", Restriction::above_min, 0},
     {"peak_period_s", &WaveSystem::peak_period_s, 1, 40, "[1, 40], or 0: by the wind", Restriction::none, 0},
     {"peak_enhancement", &WaveSystem::peak_enhancement, 1, 10, "[1, 10]"},
     {"direction_rad", &WaveSystem::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
@@ -60,6 +62,29 @@ constexpr NumericField<WaveSystem> wave_system_field_table[] = {
      "[pi/180, 4 pi/9], or 0: by the spreading model", Restriction::none, 0},
     // end of generated
 };
+
+bool is_by_two_laws(SpectrumModel spectrum) {
+    return spectrum == SpectrumModel::jonswap || spectrum == SpectrumModel::pierson_moskowitz;
+}
+
+/// Returns an empty string, or what is wrong with height and period of a system by their names.
+std::string check_height(const WaveSystem& system, std::string_view height, std::string_view period) {
+    if (!is_by_height(system)) return {};
+    const auto [name, value] =
+        system.height_m > 0 ? std::pair(height, system.height_m) : std::pair(period, system.peak_period_s);
+    if (!is_by_two_laws(system.spectrum))
+        return invalid_value_message(name, value, "0 where the spectrum is " + std::string(name_of(system.spectrum)));
+    if (system.fetch_m != WaveSystem{}.fetch_m)
+        return invalid_value_message("fetch_m", system.fetch_m, "none beside " + std::string(name));
+    return {};
+}
+
+/// Checks the systems of a sea whose waves are a spectrum, each of which check_wave_system() accepts.
+std::string check_systems(const SeaState& sea) {
+    if (sea.spectrum == SpectrumModel::none && sea.swell_height_m == 0 && sea.systems.empty())
+        return invalid_value_message("spectrum", "none", "a swell or a system with it, or another spectrum");
+    return check_height(wind_sea_of(sea), "wave_height_m", "peak_period_s");
+}
 
 }  // namespace
 
@@ -83,7 +108,7 @@ int cascades_of(const SeaState& sea) {
 }
 
 double lean_of(const SeaState& sea) {
-    if (sea.waves != WaveModel::spectrum) return 0;
+    if (sea.waves != WaveModel::spectrum || sea.spectrum == SpectrumModel::none) return 0;
     if (sea.lean >= 0) return sea.lean;
     if (sea.spectrum == SpectrumModel::phillips_paper) return 0;
     // From light winds, in which few waves break, to a fresh breeze. Below that the lean eases in.
@@ -112,7 +137,10 @@ std::string check_wave_system(const WaveSystem& system) {
     if (static_cast<std::size_t>(system.spreading) >= names_of<SpreadingModel>().size())
         return "spreading is no known model";
     // end of generated
-    return check_fields(system, wave_system_field_table);
+    if (std::string reason = check_fields(system, wave_system_field_table); !reason.empty()) return reason;
+    if (system.spectrum == SpectrumModel::none || system.spectrum == SpectrumModel::phillips_paper)
+        return invalid_value_message("spectrum", name_of(system.spectrum), "phillips, pierson-moskowitz or jonswap");
+    return check_height(system, "height_m", "peak_period_s");
 }
 
 std::string check(const SeaState& sea) {
@@ -128,7 +156,6 @@ std::string check(const SeaState& sea) {
         return reason;
     // end of generated
     if (const std::string reason = check_fields(sea, sea_state_field_table); !reason.empty()) return reason;
-    if (!sea.systems.empty()) return "systems: not supported yet";
     const bool is_papers = is_phillips_paper(sea);
     if (sea.cascades > 1) {
         if (sea.patch_size_m > 0)
@@ -143,13 +170,16 @@ std::string check(const SeaState& sea) {
                                          "1 where the resolution is " + number_text(sea.resolution));
     }
     if (sea.waves != WaveModel::spectrum) return check_wave_list(sea);
-    if (!is_papers) return {};
+    if (!is_papers) return check_systems(sea);
+    if (!sea.systems.empty())
+        return invalid_value_message("the number of systems", sea.systems.size(),
+                                     "0 where the spectrum is phillips-paper");
     if (spreading_of(sea) != sea.spreading && sea.spreading != SeaState{}.spreading)
         return invalid_value_message("spreading", name_of(sea.spreading),
                                      "paper where the spectrum is phillips-paper");
     if (sea.swell_height_m != 0)
         return invalid_value_message("swell_height_m", sea.swell_height_m, "0 where the spectrum is phillips-paper");
-    return {};
+    return check_height(wind_sea_of(sea), "wave_height_m", "peak_period_s");
 }
 
 }  // namespace pelagic

@@ -15,8 +15,8 @@ double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k
 }
 
 // Finds the maximum on a coarse grid and refines it with halved steps.
-SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
-    const auto density = [&](double k) { return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m); };
+SpectralPeak peak_of(double depth_m, const std::function<double(double)>& density_of_k) {
+    const auto density = [&](double k) { return density_of_k(k) / group_velocity(k, depth_m); };
     double best = min_scanned_k, max = density(best);
     const auto try_out = [&](double k) {
         const double here = density(k);
@@ -27,7 +27,11 @@ SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
     for (double k = min_scanned_k; k < max_scanned_k; k *= scanned_k_ratio) try_out(k);
     for (double step = scanned_k_ratio - 1; step > 1e-7; step *= 0.5)
         for (const double k : {best * (1 - step), best * (1 + step)}) try_out(k);
-    return {best, angular_frequency(best, sea.depth_m)};
+    return {best, angular_frequency(best, depth_m)};
+}
+
+SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
+    return peak_of(sea.depth_m, [&](double k) { return radial_energy(spectrum, sea, k); });
 }
 
 }  // namespace pelagic

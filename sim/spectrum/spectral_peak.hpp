@@ -1,6 +1,8 @@
 // Peak of a model's frequency spectrum.
 #pragma once
 
+#include <functional>
+
 #include "pelagic/sim/spectrum/spectra.hpp"
 
 namespace pelagic {
@@ -15,6 +17,9 @@ struct SpectralPeak {
 };
 
 /// Returns the maximum of S(omega) = S(k) / (d omega / d k).
+/// \param density  S(k), of wave numbers in rad/m
+SpectralPeak peak_of(double depth_m, const std::function<double(double)>& density);
+/// Returns the maximum of the whole sea.
 SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea);
 
 }  // namespace pelagic

@@ -117,6 +117,14 @@ OppositeDensities DirectionalLobe::densities(double cosine) const {
     return {power(cosine), power(-cosine)};
 }
 
+DirectionalLobe DirectionalLobe::narrower(double variance_rad2) const {
+    const auto reduced = [&](double variance) {
+        return std::max(variance - variance_rad2, least_narrowed * least_narrowed * variance);
+    };
+    if (shape_ == Shape::cosine_2s) return cosine_2s(2 / reduced(2 / (narrowness_ + 1)) - 1);
+    return sech_squared(pi / std::sqrt(12 * reduced(pi * pi / (12 * narrowness_ * narrowness_))));
+}
+
 double cosine_2s_exponent(double sigma_rad) { return 2 / (sigma_rad * sigma_rad) - 1; }
 
 MeasuredSpreading::MeasuredSpreading(SpreadingModel model, double peak_radps, double inverse_wave_age)

@@ -48,6 +48,12 @@ class DirectionalLobe {
 
     OppositeDensities densities(double cosine) const;
 
+    /// Smallest width of narrower(), in that of the lobe.
+    static constexpr double least_narrowed = 0.5;
+    /// Returns the lobe with its variance of directions reduced by `variance_rad2`, which is 2/(s + 1)
+    /// of cosine-2s and pi^2 / (12 beta^2) of sech^2.
+    DirectionalLobe narrower(double variance_rad2) const;
+
    private:
     enum class Shape { cosine_2s, sech_squared };
     DirectionalLobe(Shape shape, double narrowness, double factor)

@@ -13,6 +13,7 @@
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/spectral_peak.hpp"
+#include "pelagic/sim/spectrum/system_report.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
@@ -37,6 +38,13 @@ struct Moments {
 // Ratio of consecutive band edges: 5 %. Bands cover the longest to the shortest wave of the grid.
 constexpr double band_ratio = 1.05;
 
+/// The sums of one wave system.
+struct SystemSums {
+    Moments expected, realised;
+    double expected_hz2 = 0;    ///< mean over all seeds of variance times squared frequency
+    std::vector<double> bands;  ///< as GridSums::bands
+};
+
 /// The sums of one pass over all cascades' grids. All statistics in this file are computed from
 /// them.
 struct GridSums {
@@ -47,24 +55,24 @@ struct GridSums {
     /// Variance per frequency band for the sea's seed, m^2. Bands are band_ratio wide, and the
     /// first begins at the frequency of the longest wave.
     std::vector<double> bands;
-    /// The swell's contribution to each of `bands`; empty without a swell.
-    std::vector<double> swell_bands;
+    std::vector<SystemSums> systems;  ///< empty if they are not separated
     /// Variance by number of periods per loop for the sea's seed, m^2.
     std::unordered_map<std::uint32_t, double> harmonics;
     /// Means over all seeds of variance times frequency, and of variance times squared frequency.
     double expected_hz = 0, expected_hz2 = 0;
-    double expected_swell = 0, realised_swell = 0;              ///< m^2
     double expected_convergence = 0, realised_convergence = 0;  ///< variances of Dx,x + Dz,z
     double expected_level = 0, realised_level = 0;              ///< sums of Cascade::level_m
 
-    /// Adds the variance of a wave. \param of_swell  the swell's contribution to `variance`, m^2
-    void add_realised(double hertz, std::uint32_t harmonic, double variance, double of_swell) {
-        const double rise = det::log(hertz / lowest_band_hz) / det::log(band_ratio);
-        const auto band = static_cast<std::size_t>(std::max(0.0, rise));
-        if (band >= bands.size()) bands.resize(band + 1), swell_bands.resize(band + 1);
+    /// Returns the number of a frequency's band.
+    std::size_t band_of(double hertz) const {
+        return static_cast<std::size_t>(std::max(0.0, det::log(hertz / lowest_band_hz) / det::log(band_ratio)));
+    }
+    static void add_to_band(std::vector<double>& bands, std::size_t band, double variance) {
+        if (band >= bands.size()) bands.resize(band + 1);
         bands[band] += variance;
-        swell_bands[band] += of_swell;
-        realised_swell += of_swell;
+    }
+    void add_realised(double hertz, std::uint32_t harmonic, double variance) {
+        add_to_band(bands, band_of(hertz), variance);
         harmonics[harmonic] += variance;
     }
     void add_expected(double hertz, double variance) {
@@ -73,102 +81,124 @@ struct GridSums {
     }
 };
 
-SeaState without_swell(SeaState sea) {
-    sea.swell_height_m = 0;
-    return sea;
-}
+/// What a pass over the grids computes: means over all seeds, or the waves of the sea's seed, too, at
+/// twice the cost.
+enum class Contents { means, realised };
 
-/// The wind sea of a sea with a swell. Breaking attenuates wind sea and swell by the same factor.
-class WindSea {
+/// Adds the waves of a cascade.
+class CascadeSums {
    public:
-    WindSea(const SeaState& sea, const CascadePlan& cascade, const CascadeWaves& all)
-        : waves_(without_swell(sea), cascade),
-          kept_(all.spectrum().kept_after_breaking() / waves_.spectrum().kept_after_breaking()) {}
+    CascadeSums(const SeaState& sea, const CascadePlan& cascade, Contents contents, GridSums& sums)
+        : sea_(sea),
+          cascade_(cascade),
+          waves_(sea, cascade),
+          is_realised_(contents == Contents::realised),
+          wind_(det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi)),
+          sums_(sums) {}
 
-    CascadeWaves::MirroredVariances variances(int m, int n) const {
-        const CascadeWaves::MirroredVariances own = waves_.variances(m, n);
-        const auto kept = [&](const OppositeDensities& of) {
-            return OppositeDensities{of.along * kept_, of.against * kept_};
-        };
-        return {kept(own.plus), kept(own.minus)};
+    // (m, n) and (-m, n) share a wave number and therefore most of the computation. DC and the Nyquist
+    // row and column hold no waves.
+    void add() {
+        for (int n = 0; n < cascade_.resolution / 2; ++n)
+            for (int m = n == 0 ? 1 : 0; m < cascade_.resolution / 2; ++m) add_shell(m, n);
+        sums_.cascades.push_back({cascade_.grid.side_m, cascade_.resolution, slopes_});
     }
 
    private:
-    CascadeWaves waves_;
-    double kept_;
-};
-
-/// Returns the swell's fraction of a wave's energy.
-double swell_share(double all, double of_wind) { return all > 0 ? std::clamp(1 - of_wind / all, 0.0, 1.0) : 0; }
-
-/// What a pass over the grids computes: means over all seeds, with the swell's fraction of them,
-/// and the waves of the sea's seed. Drawn waves double the cost.
-enum class Contents { means, means_by_system, realised };
-
-/// Adds a cascade's waves. (m, n) and (-m, n) share a wave number and therefore most of the
-/// computation.
-void add_cascade(const SeaState& sea, const CascadePlan& cascade, Contents contents, GridSums& sums) {
-    const CascadeWaves waves(sea, cascade);
-    const Water& water = waves.water();
-    const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
-    const bool has_swell = contents != Contents::means && sea.waves == WaveModel::spectrum && sea.swell_height_m > 0;
-    std::optional<WindSea> wind_sea_waves;
-    if (has_swell) wind_sea_waves.emplace(sea, cascade, waves);
-    SlopeVariance slopes;
-
     struct Variances {
-        double expected = 0, realised = 0, realised_swell = 0;
+        double expected = 0, realised = 0;
     };
+
+    void add_shell(int m, int n) {
+        k_ = cascade_.spacing() * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+        const bool is_by_system = !sums_.systems.empty();
+        if (is_by_system) by_system_ = waves_.variances_by_system(m, n);
+        const CascadeWaves::MirroredVariances variances = is_by_system ? sum_of(by_system_) : waves_.variances(m, n);
+        const bool has_mirrored = m > 0 && n > 0;
+        Variances here;
+        add_pair(variances.plus, m, n, here);
+        if (has_mirrored) add_pair(variances.minus, -m, n, here);
+        if (!(here.expected > 0)) return;
+        const Water& water = waves_.water();
+        const double omega = waves_.frequency(k_);
+        const double horizontal = sea_.choppiness * orbit_ratio(k_, water.depth_m) * k_;
+        sums_.add_expected(omega / two_pi, here.expected);
+        sums_.expected_convergence += here.expected * (horizontal * horizontal);
+        const double lean = waves_.lean(k_), sharpening = horizontal / std::sqrt(1 + lean * lean);
+        sums_.expected_level += here.expected * sharpening;
+        if (is_by_system) add_systems(m, n, has_mirrored, omega / two_pi);
+        if (!(here.realised > 0)) return;
+        sums_.realised_convergence += here.realised * (horizontal * horizontal);
+        sums_.realised_level += here.realised * sharpening;
+        sums_.add_realised(omega / two_pi, loop_harmonic(omega, sea_.loop_period_s), here.realised);
+    }
+
     // Adds the wave (m, n) and its opposite, with expected and realised variances. Each h~(k) is the
     // sum of h0(k) and the mirrored h0(-k), so every amplitude counts twice in the variance.
-    const auto add_pair = [&](const OppositeDensities& variances, const OppositeDensities& of_wind, int m, int n,
-                              double k, Variances& of_shell) {
-        const auto [kx, kz] = cascade.grid.in_world(m * cascade.spacing(), n * cascade.spacing());
-        sums.expected.add(2 * variances.along, 2 * variances.against, kx / k, kz / k);
+    void add_pair(const OppositeDensities& variances, int m, int n, Variances& of_shell) {
+        const auto [kx, kz] = cascade_.grid.in_world(m * cascade_.spacing(), n * cascade_.spacing());
+        sums_.expected.add(2 * variances.along, 2 * variances.against, kx / k_, kz / k_);
         const double expected = 2 * (variances.along + variances.against);
-        const double k_along = kx * wind.cosine + kz * wind.sine, k_across = kz * wind.cosine - kx * wind.sine;
-        slopes.upwind += expected * (k_along * k_along);
-        slopes.crosswind += expected * (k_across * k_across);
+        const double k_along = kx * wind_.cosine + kz * wind_.sine, k_across = kz * wind_.cosine - kx * wind_.sine;
+        slopes_.upwind += expected * (k_along * k_along);
+        slopes_.crosswind += expected * (k_across * k_across);
         of_shell.expected += expected;
-        double along_share = 0, against_share = 0;
-        if (has_swell) {
-            along_share = swell_share(variances.along, of_wind.along);
-            against_share = swell_share(variances.against, of_wind.against);
-            sums.expected_swell += 2 * (variances.along * along_share + variances.against * against_share);
-        }
-        if (contents != Contents::realised) return;
-        const double along = 2 * waves.realised_square(variances.along, m, n);
-        const double against = 2 * waves.realised_square(variances.against, -m, -n);
-        sums.realised.add(along, against, kx / k, kz / k);
+        if (!is_realised_) return;
+        const double along = 2 * waves_.realised_square(variances.along, m, n);
+        const double against = 2 * waves_.realised_square(variances.against, -m, -n);
+        sums_.realised.add(along, against, kx / k_, kz / k_);
         of_shell.realised += along + against;
-        of_shell.realised_swell += along * along_share + against * against_share;
-    };
-    // DC and the Nyquist row and column hold no waves.
-    for (int n = 0; n < cascade.resolution / 2; ++n) {
-        for (int m = n == 0 ? 1 : 0; m < cascade.resolution / 2; ++m) {
-            const double k = cascade.spacing() * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
-            const CascadeWaves::MirroredVariances variances = waves.variances(m, n);
-            CascadeWaves::MirroredVariances of_wind{};
-            if (wind_sea_waves) of_wind = wind_sea_waves->variances(m, n);
-            Variances here;
-            add_pair(variances.plus, of_wind.plus, m, n, k, here);
-            if (m > 0 && n > 0) add_pair(variances.minus, of_wind.minus, -m, n, k, here);
-            if (!(here.expected > 0)) continue;
-            const double omega = waves.frequency(k);
-            const double horizontal = sea.choppiness * orbit_ratio(k, water.depth_m) * k;
-            sums.add_expected(omega / two_pi, here.expected);
-            sums.expected_convergence += here.expected * (horizontal * horizontal);
-            const double lean = waves.lean(k), sharpening = horizontal / std::sqrt(1 + lean * lean);
-            sums.expected_level += here.expected * sharpening;
-            if (!(here.realised > 0)) continue;
-            sums.realised_convergence += here.realised * (horizontal * horizontal);
-            sums.realised_level += here.realised * sharpening;
-            sums.add_realised(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.realised,
-                              here.realised_swell);
+    }
+
+    /// Adds the contribution of each system to a shell. A drawn wave is divided as its variance is.
+    void add_systems(int m, int n, bool has_mirrored, double hertz) {
+        const std::size_t band = sums_.band_of(hertz);
+        for (std::size_t system = 0; system < sums_.systems.size(); ++system) {
+            SystemSums& sums = sums_.systems[system];
+            Variances here = add_to_system(sums, by_system_[system].plus, m, n);
+            if (has_mirrored) {
+                const Variances mirrored = add_to_system(sums, by_system_[system].minus, -m, n);
+                here.expected += mirrored.expected;
+                here.realised += mirrored.realised;
+            }
+            sums.expected_hz2 += here.expected * (hertz * hertz);
+            if (here.realised > 0) GridSums::add_to_band(sums.bands, band, here.realised);
         }
     }
-    sums.cascades.push_back({cascade.grid.side_m, cascade.resolution, slopes});
-}
+
+    static CascadeWaves::MirroredVariances sum_of(const CascadeWaves::VariancesBySystem& of) {
+        CascadeWaves::MirroredVariances sum{};
+        for (const auto& [plus, minus] : of) {
+            sum.plus.along += plus.along;
+            sum.plus.against += plus.against;
+            sum.minus.along += minus.along;
+            sum.minus.against += minus.against;
+        }
+        return sum;
+    }
+
+    Variances add_to_system(SystemSums& sums, const OppositeDensities& variances, int m, int n) {
+        const auto [kx, kz] = cascade_.grid.in_world(m * cascade_.spacing(), n * cascade_.spacing());
+        sums.expected.add(2 * variances.along, 2 * variances.against, kx / k_, kz / k_);
+        Variances of{.expected = 2 * (variances.along + variances.against)};
+        if (!is_realised_) return of;
+        const double along = 2 * waves_.realised_square(variances.along, m, n);
+        const double against = 2 * waves_.realised_square(variances.against, -m, -n);
+        sums.realised.add(along, against, kx / k_, kz / k_);
+        of.realised = along + against;
+        return of;
+    }
+
+    const SeaState& sea_;
+    const CascadePlan& cascade_;
+    const CascadeWaves waves_;
+    const bool is_realised_;
+    const det::SineCosine wind_;
+    GridSums& sums_;
+    SlopeVariance slopes_;
+    double k_ = 0;                                 ///< of the shell, rad/m
+    CascadeWaves::VariancesBySystem by_system_{};  ///< of the shell
+};
 
 /// Adds a pond's octaves, as independent waves with phases of their own.
 void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
@@ -182,7 +212,7 @@ void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
         sums.expected.add(variance, 0, x, z);
         sums.realised.add(variance, 0, x, z);
         sums.add_expected(octave.frequency_hz, variance);
-        sums.add_realised(octave.frequency_hz, moved.harmonic, variance, 0);
+        sums.add_realised(octave.frequency_hz, moved.harmonic, variance);
         const double along = x * wind.cosine + z * wind.sine;
         const double steep = moved.shown * moved.shown * moved.slope_variance();
         slopes.upwind += steep * (along * along);
@@ -191,15 +221,17 @@ void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
     sums.cascades.push_back({cascade.grid.side_m, cascade.resolution, slopes});
 }
 
-GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Contents contents) {
+/// \param systems  number of systems whose sums are separated
+GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Contents contents, std::size_t systems) {
     GridSums sums;
+    sums.systems.resize(systems);
     if (sea.waves == WaveModel::pond) {
         sums.lowest_band_hz = ripple_frequency_hz(1 / plan.front().grid.side_m);
         add_pond(sea, plan.front(), sums);
         return sums;
     }
     sums.lowest_band_hz = angular_frequency(plan.front().spacing(), sea.depth_m) / two_pi;
-    for (const CascadePlan& cascade : plan) add_cascade(sea, cascade, contents, sums);
+    for (const CascadePlan& cascade : plan) CascadeSums(sea, cascade, contents, sums).add();
     return sums;
 }
 
@@ -210,6 +242,8 @@ struct ModelWaves {
     SpectralPeak peak;
     std::optional<double> significant_wave_height_m;  ///< empty for phillips-paper
     double kept_after_breaking = 1;
+    /// The systems, unless the wind sea of a wind is the only one.
+    std::vector<ModelOfSystem> systems = {};
     int omitted = 0;  ///< number of listed waves that no cascade holds
 };
 
@@ -236,13 +270,18 @@ ModelWaves model_waves_of_list(const SeaState& sea) {
             .omitted = static_cast<int>(asked.waves.size() - waves_of_cascades(sea).waves.size())};
 }
 
-ModelWaves model_waves_of(const SeaState& sea, std::span<const CascadePlan> plan) {
+ModelWaves model_waves_of(const SeaState& sea, std::span<const CascadePlan> plan, bool with_systems) {
     if (sea.waves != WaveModel::spectrum) return model_waves_of_list(sea);
     const WaveSpectrum spectrum(sea, plan.front());
     ModelWaves asked{.peak = peak_of(spectrum, sea),
                      .significant_wave_height_m = {},
                      .kept_after_breaking = spectrum.kept_after_breaking()};
-    if (spectrum.is_physical()) asked.significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
+    if (!spectrum.is_physical()) return asked;
+    asked.significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
+    if (with_systems &&
+        (spectrum.systems().size() > 1 || spectrum.systems().front().is_at_depth() || !sea.systems.empty()))
+        for (std::size_t system = 0; system < spectrum.systems().size(); ++system)
+            asked.systems.push_back(model_of_system(spectrum, system));
     return asked;
 }
 
@@ -283,29 +322,74 @@ MeanPeriods realised_periods_from(const GridSums& sums, double loop_period_s) {
     return periods_of(variance, looped.expected_hz, looped.expected_hz2);
 }
 
-/// Adds the statistics of wind sea and swell. The realised peak period of the whole sea is that of the
-/// component which has the model's peak.
-void add_components(const SeaState& sea, std::span<const CascadePlan> plan, const GridSums& sums, SeaReport& report) {
-    const auto component = [&](double expected, double realised, double peak_period_s,
-                               const std::vector<double>& bands) {
-        return SystemStatistics{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
-                          .realised_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, realised)),
-                          .peak_period_s = peak_period_s,
-                          .realised_peak_period_s =
-                              realised > 0 ? std::optional(peak_period_of(bands, sums.lowest_band_hz)) : std::nullopt};
-    };
-    std::vector<double> wind_bands = sums.bands;
-    for (std::size_t band = 0; band < wind_bands.size(); ++band) wind_bands[band] -= sums.swell_bands[band];
-    const SeaState wind = without_swell(sea);
-    const double wind_peak_s = two_pi / peak_of(WaveSpectrum(wind, plan.front()), wind).omega;
-    report.wind_sea = component(sums.expected.variance - sums.expected_swell,
-                                sums.realised.variance - sums.realised_swell, wind_peak_s, wind_bands);
-    // The peak of Ochi and Hubble's spectrum is at swell_period_s at any depth, because it is a
-    // spectrum over frequency.
-    report.swell = component(sums.expected_swell, sums.realised_swell, sea.swell_period_s, sums.swell_bands);
+/// Returns the angle of (x, z) in (-pi, pi], bit-identical on every machine. Uses Newton steps from
+/// the nearest quarter turn; each step reduces an error e to e^3 / 6.
+double angle_of(double x, double z) {
+    const double length = std::sqrt(x * x + z * z);
+    if (!(length > 0)) return 0;
+    double turns = std::fabs(z) > std::fabs(x) ? (z > 0 ? 0.25 : -0.25) : x < 0 ? (z < 0 ? -0.5 : 0.5) : 0.0;
+    for (int step = 0; step < 5; ++step) {
+        const auto at = det::sine_cosine_of_turns(turns);
+        turns += (z * at.cosine - x * at.sine) / length / two_pi;
+    }
+    return turns * two_pi;
+}
+
+WaveDirections directions_from(const Moments& moments) {
+    if (!(moments.variance > 0)) return {};
+    return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
+}
+
+SystemReport system_report(const SystemSums& sums, const ModelOfSystem& model, double lowest_band_hz) {
+    const double realised = sums.realised.variance;
+    return {.significant_wave_height_m = 4 * std::sqrt(sums.expected.variance),
+            .realised_significant_wave_height_m = 4 * std::sqrt(realised),
+            .peak_period_s = two_pi / model.peak_radps,
+            .realised_peak_period_s =
+                realised > 0 ? std::optional(peak_period_of(sums.bands, lowest_band_hz)) : std::nullopt,
+            .expected_directions = directions_from(sums.expected),
+            .realised_directions = directions_from(sums.realised)};
+}
+
+/// Returns a note about the systems of which the grid holds other waves than are given, or an empty
+/// string.
+std::string deviations_from(std::span<const SystemReport> systems, const ModelWaves& asked, const GridSums& sums,
+                            std::span<const std::string> names) {
+    std::string all;
+    for (std::size_t i = 0; i < systems.size(); ++i) {
+        const double tm02_s = periods_of(sums.systems[i].expected.variance, 1, sums.systems[i].expected_hz2).tm02_s;
+        const std::string text = deviation_of(systems[i], tm02_s, asked.systems[i]);
+        if (!text.empty()) all += (all.empty() ? "" : "; ") + names[i] + " " + text;
+    }
+    return all.empty() ? all : "the waves of the grid differ from those given: " + all;
+}
+
+/// Adds the statistics of the systems and returns deviations_from(). The realised peak period of the
+/// whole sea is that of the system which has the model's peak.
+std::string add_systems(const SeaState& sea, const ModelWaves& asked, const GridSums& sums, SeaReport& report) {
+    std::vector<SystemReport> all;
+    for (std::size_t i = 0; i < sums.systems.size(); ++i)
+        all.push_back(system_report(sums.systems[i], asked.systems[i], sums.lowest_band_hz));
     const double peak_s = report.expected.peak_period_s;
-    const bool is_swells = std::fabs(sea.swell_period_s - peak_s) < std::fabs(wind_peak_s - peak_s);
-    report.realised_peak_period_s = (is_swells ? report.swell : report.wind_sea)->realised_peak_period_s.value_or(0);
+    const auto nearest = std::min_element(all.begin(), all.end(), [&](const SystemReport& a, const SystemReport& b) {
+        return std::fabs(a.peak_period_s - peak_s) < std::fabs(b.peak_period_s - peak_s);
+    });
+    report.realised_peak_period_s = nearest->realised_peak_period_s.value_or(0);
+    std::vector<std::string> names;
+    for (const SystemReport& system : all) {
+        const std::size_t number = names.size();
+        if (number == 0 && sea.spectrum != SpectrumModel::none) {
+            names.emplace_back("wind sea");
+            if (all.size() > 1) report.wind_sea = system;
+        } else if (!report.swell && sea.swell_height_m > 0) {
+            names.emplace_back("swell");
+            report.swell = system;
+        } else {
+            report.systems.push_back(system);
+            names.push_back("system " + number_text(report.systems.size()));
+        }
+    }
+    return deviations_from(all, asked, sums, names);
 }
 
 LoopFrequencies loop_frequencies_from(const GridSums& sums) {
@@ -323,24 +407,6 @@ LoopFrequencies loop_frequencies_from(const GridSums& sums) {
         ++found.for_90_percent;
     }
     return found;
-}
-
-/// Returns the angle of (x, z) in (-pi, pi], bit-identical on every machine. Uses Newton steps from
-/// the nearest quarter turn; each step reduces an error e to e^3 / 6.
-double angle_of(double x, double z) {
-    const double length = std::sqrt(x * x + z * z);
-    if (!(length > 0)) return 0;
-    double turns = std::fabs(z) > std::fabs(x) ? (z > 0 ? 0.25 : -0.25) : x < 0 ? (z < 0 ? -0.5 : 0.5) : 0.0;
-    for (int step = 0; step < 5; ++step) {
-        const auto at = det::sine_cosine_of_turns(turns);
-        turns += (z * at.cosine - x * at.sine) / length / two_pi;
-    }
-    return turns * two_pi;
-}
-
-WaveDirections directions_from(const Moments& moments) {
-    if (!(moments.variance > 0)) return {};
-    return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
 }
 
 /// Returns whether the loop is so short that its waves may have few frequencies, which only the
@@ -362,7 +428,8 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
     // may also exceed the model's.
     const auto height_beside_model = [&]() -> std::string {
         if (!waves.model_significant_wave_height_m || sea.waves != WaveModel::spectrum) return {};
-        return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + " m, where this wind makes " +
+        const std::string of_model = has_given_systems(sea) ? " m, where the model has " : " m, where this wind makes ";
+        return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + of_model +
                short_text(*waves.model_significant_wave_height_m) + " m";
     };
     std::vector<std::string> warnings;
@@ -404,13 +471,14 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
 
 SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, const ModelWaves& asked,
                       Contents contents) {
-    GridSums sums = sums_over(sea, plan, contents);
+    GridSums sums = sums_over(sea, plan, contents, asked.systems.size());
     SeaReport report;
     report.expected = expected_from(asked, sums);
     report.realised_significant_wave_height_m = 4 * std::sqrt(sums.realised.variance);
     if (contents == Contents::realised)
         report.realised_peak_period_s = peak_period_of(sums.bands, sums.lowest_band_hz);
-    if (sea.waves == WaveModel::spectrum && sea.swell_height_m > 0) add_components(sea, plan, sums, report);
+    std::string deviations;
+    if (!asked.systems.empty()) deviations = add_systems(sea, asked, sums, report);
     report.expected_periods = periods_of(sums.expected.variance, sums.expected_hz, sums.expected_hz2);
     report.realised_periods = realised_periods_from(sums, sea.loop_period_s);
     report.expected_convergence_variance = sums.expected_convergence;
@@ -419,11 +487,12 @@ SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, co
     report.realised_level_m = sums.realised_level;
     report.expected_directions = directions_from(sums.expected);
     report.realised_directions = directions_from(sums.realised);
-    if (sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::jonswap)
+    if (sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::jonswap && !is_by_height(wind_sea_of(sea)))
         report.effective_fetch_m = effective_fetch_m(sea);
     report.cascades = std::move(sums.cascades);
     report.loop_frequencies = loop_frequencies_from(sums);
     report.warnings = warnings_from(sea, plan, asked, report.expected, report.loop_frequencies);
+    if (!deviations.empty()) report.warnings.push_back(deviations);
     return report;
 }
 
@@ -432,15 +501,15 @@ SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, co
 SeaReport report_on(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<CascadePlan> plan = plan_cascades(sea);
-    return report_from(sea, plan, model_waves_of(sea, plan), Contents::realised);
+    return report_from(sea, plan, model_waves_of(sea, plan, true), Contents::realised);
 }
 
 SeaReport expected_report_on(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<CascadePlan> plan = plan_cascades(sea);
-    const ModelWaves asked = model_waves_of(sea, plan);
+    const ModelWaves asked = model_waves_of(sea, plan, true);
     const bool needs_draws = is_short_loop(sea, ten_peak_periods_s(asked));
-    return report_from(sea, plan, asked, needs_draws ? Contents::realised : Contents::means_by_system);
+    return report_from(sea, plan, asked, needs_draws ? Contents::realised : Contents::means);
 }
 
 double period_in_loop_s(double period_s, double loop_period_s) {
@@ -481,7 +550,7 @@ std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const do
 ExpectedWaves expected_waves(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<CascadePlan> plan = plan_cascades(sea);
-    return expected_from(model_waves_of(sea, plan), sums_over(sea, plan, Contents::means));
+    return expected_from(model_waves_of(sea, plan, false), sums_over(sea, plan, Contents::means, 0));
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {

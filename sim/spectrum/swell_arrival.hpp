@@ -18,6 +18,10 @@ constexpr double eased_fraction(double since_s, double over_s) {
     return u <= 0 ? 0 : u < 1 ? u * u * (3 - 2 * u) : 1;
 }
 
+/// Returns the peak period of a sea's swell in seconds: of the swell of its options, or else the
+/// longest of its systems. 0 if the sea has neither.
+double period_of_swell_s(const SeaState& sea);
+
 /// A swell that was generated at one moment, `distance_m` away. Delays are relative to the arrival
 /// of the waves of longest_period.
 class SwellArrival {
@@ -29,7 +33,7 @@ class SwellArrival {
     /// it, so the arrival is finite.
     static constexpr double shortest_period = 1.0 / 3;
 
-    /// \pre check(sea) is empty, and the sea has a swell
+    /// \pre check(sea) is empty, and the sea has a swell or a system
     SwellArrival(const SeaState& sea, double distance_m);
 
     /// Returns the delay of waves of `omega` rad/s.

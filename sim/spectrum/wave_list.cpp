@@ -80,8 +80,6 @@ double level_of(const std::vector<GridWave>& waves, const CascadePlan& cascade) 
 }
 
 std::string check_pond(const SeaState& sea) {
-    if (sea.wave_height_m == 0)
-        return invalid_value_message("wave_height_m", sea.wave_height_m, "above 0 where waves is pond");
     const PondSea asked = pond_sea_of(sea);
     if (asked.growth > 4)
         return invalid_value_message("wave_count", asked.octaves,
@@ -157,7 +155,7 @@ AnalyticSea analytic_sea_of(const SeaState& sea) {
                                       .strength = sea.wave_strength,
                                       .direction_rad = sea.wind_direction_rad});
     asked.choppiness = sea.choppiness;
-    return sea.wave_height_m >= 0 ? with_significant_height(std::move(asked), sea.wave_height_m) : asked;
+    return sea.wave_height_m > 0 ? with_significant_height(std::move(asked), sea.wave_height_m) : asked;
 }
 
 StokesWave stokes_wave_of(const SeaState& sea) {
@@ -280,6 +278,8 @@ SlopeVariance hidden_slopes(const SeaState& sea, std::span<const GridOctave> oct
 std::string check_wave_list(const SeaState& sea) {
     const std::string waves = " where waves is " + std::string(name_of(sea.waves));
     if (sea.swell_height_m != 0) return invalid_value_message("swell_height_m", sea.swell_height_m, "0" + waves);
+    if (sea.peak_period_s != 0) return invalid_value_message("peak_period_s", sea.peak_period_s, "0" + waves);
+    if (!sea.systems.empty()) return invalid_value_message("the number of systems", sea.systems.size(), "0" + waves);
     if (sea.waves == WaveModel::regular) return check_regular(sea);
     const double longest_m = longest_wave_of(sea);
     if (sea.shortest_wave_m > longest_m)

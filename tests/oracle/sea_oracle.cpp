@@ -81,21 +81,29 @@ double cosine_2s(double s, double angle) {
     return std::pow(std::fabs(std::cos(angle / 2)), 2 * s) / integral;
 }
 
-double wind_directional(const SeaState& sea, double k, double angle) {
+/// A variance of directions without that of a cell, at least a quarter.
+double narrowed(double variance, double of_cell) { return std::max(variance - of_cell, variance / 4); }
+double narrowed_s(double s, double of_cell) { return 2 / narrowed(2 / (s + 1), of_cell) - 1; }
+
+/// \param of_cell  variance of directions by which lobes are narrower
+double wind_directional(const SeaState& sea, double k, double angle, double of_cell) {
     if (sea.spreading == SpreadingModel::paper)
         return spreading_weight(sea.wind_alignment, std::cos(angle)) / spreading_integral(sea.wind_alignment);
     const double over_peak = frequency_of(sea, k) / peak_frequency(sea);
     const double age = std::min(5.0, std::max(0.83, sea.wind_speed_mps * peak_frequency(sea) / gravity));
     if (sea.spreading == SpreadingModel::cosine_2s)
-        return cosine_2s(11.5 * std::pow(age, -2.5) * std::pow(over_peak, over_peak <= 1 ? 5 : -2.5), angle);
+        return cosine_2s(
+            narrowed_s(11.5 * std::pow(age, -2.5) * std::pow(over_peak, over_peak <= 1 ? 5 : -2.5), of_cell), angle);
     if (sea.spreading == SpreadingModel::hasselmann)
-        return cosine_2s(over_peak < 1.05 ? 6.97 * std::pow(over_peak, 4.06)
-                                          : 9.77 * std::pow(over_peak, -2.33 - 1.45 * (age - 1.17)),
+        return cosine_2s(narrowed_s(over_peak < 1.05 ? 6.97 * std::pow(over_peak, 4.06)
+                                                     : 9.77 * std::pow(over_peak, -2.33 - 1.45 * (age - 1.17)),
+                                    of_cell),
                          angle);
-    const double beta = over_peak >= 1.6
-                            ? std::pow(10, -0.4 + 0.8393 * std::exp(-0.567 * std::log(over_peak * over_peak)))
-                        : over_peak >= 0.95 ? 2.28 * std::pow(over_peak, -1.3)
-                                            : 2.61 * std::pow(std::max(over_peak, 0.56), 1.3);
+    const double given = over_peak >= 1.6
+                             ? std::pow(10, -0.4 + 0.8393 * std::exp(-0.567 * std::log(over_peak * over_peak)))
+                         : over_peak >= 0.95 ? 2.28 * std::pow(over_peak, -1.3)
+                                             : 2.61 * std::pow(std::max(over_peak, 0.56), 1.3);
+    const double beta = pi / std::sqrt(12 * narrowed(pi * pi / (12 * given * given), of_cell));
     const double wrapped = std::remainder(angle, 2 * pi);
     return beta / (2 * std::tanh(beta * pi)) * std::pow(std::cosh(beta * wrapped), -2);
 }
@@ -134,12 +142,30 @@ double breaking_factor(const SeaState& sea) {
     return std::min(1.0, std::pow(0.6 * sea.depth_m / 4, 2) / variance);
 }
 
-double unbroken_density(const SeaState& sea, double kx, double kz) {
+double unbroken_density(const SeaState& sea, double kx, double kz, double of_cell) {
     const double k = std::hypot(kx, kz), direction = std::atan2(kz, kx);
-    const double s = 2 / (sea.swell_spread_rad * sea.swell_spread_rad) - 1;
-    return (wind_radial(sea, k) * wind_directional(sea, k, direction - sea.wind_direction_rad) +
+    const double s = narrowed_s(2 / (sea.swell_spread_rad * sea.swell_spread_rad) - 1, of_cell);
+    return (wind_radial(sea, k) * wind_directional(sea, k, direction - sea.wind_direction_rad, of_cell) +
             swell_radial(sea, k) * cosine_2s(s, direction - sea.swell_direction_rad)) /
            k;
+}
+
+/// The mean density of the cell around (m, n) over points, as sim/spectrum/amplitudes.cpp has it: 4 x 4
+/// within 16 steps of k = 0, more where the swell is narrow. The cell's energy runs in the direction of
+/// its centre, so lobes are narrower by the variance of its points' directions.
+double unbroken_cell(const SeaState& sea, int m, int n) {
+    const double steps = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+    const double narrowest = sea.swell_height_m > 0 ? sea.swell_spread_rad / 2 : 10;
+    const int points =
+        std::max(steps < 16 ? 4 : 1, static_cast<int>(std::ceil(std::min(64.0, 0.8 / (steps * narrowest)))));
+    const double dk = 2 * pi / sea.patch_size_m, widening = (1 - 1.0 / (points * points)) / 12;
+    double sum = 0;
+    for (int row = 0; row < points; ++row)
+        for (int column = 0; column < points; ++column) {
+            const double x = m + (column + 0.5) / points - 0.5, z = n + (row + 0.5) / points - 0.5;
+            sum += unbroken_density(sea, x * dk, z * dk, widening / (x * x + z * z));
+        }
+    return sum / (points * points);
 }
 
 /// \param attenuation value of breaking_factor(sea)
@@ -150,7 +176,7 @@ Complex amplitude(const SeaState& sea, double attenuation, int m, int n) {
     const double kx = m * dk, kz = n * dk;
     const GaussianPair xi = gaussian_pair(sea.seed, 0, m, n);
     if (sea.spectrum != SpectrumModel::phillips_paper)
-        return Complex(xi.re, xi.im) / 2.0 * std::sqrt(attenuation * unbroken_density(sea, kx, kz)) * dk;
+        return Complex(xi.re, xi.im) / 2.0 * std::sqrt(attenuation * unbroken_cell(sea, m, n)) * dk;
 
     const double k = std::hypot(kx, kz);
     const double kl = k * sea.wind_speed_mps * sea.wind_speed_mps / gravity;
@@ -173,12 +199,15 @@ double frequency_density(const SeaState& sea, double w) {
     const double peak = 22 * std::cbrt(gravity * gravity / (v * grown_fetch_m(sea)));
     const double sigma = w <= peak ? 0.07 : 0.09;
     const double r = std::exp(-(w - peak) * (w - peak) / (2 * sigma * sigma * peak * peak));
-    return alpha * gravity * gravity * std::pow(w, -5) * std::exp(-1.25 * std::pow(peak / w, 4)) * std::pow(sea.peak_enhancement, r);
+    return alpha * gravity * gravity * std::pow(w, -5) * std::exp(-1.25 * std::pow(peak / w, 4)) *
+           std::pow(sea.peak_enhancement, r);
 }
 
 double density(const SeaState& sea, double kx, double kz) {
-    return breaking_factor(sea) * unbroken_density(sea, kx, kz);
+    return breaking_factor(sea) * unbroken_density(sea, kx, kz, 0);
 }
+
+double cell_density(const SeaState& sea, int m, int n) { return breaking_factor(sea) * unbroken_cell(sea, m, n); }
 
 Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, breaking_factor(sea), m, n); }
 

@@ -31,6 +31,10 @@ double frequency_density(const SeaState& sea, double omega);
 /// breaking.
 double density(const SeaState& sea, double kx, double kz);
 
+/// Mean of density() over the cell of the integer wave numbers (m, n), over the points that the library
+/// takes.
+double cell_density(const SeaState& sea, int m, int n);
+
 /// Returns h0 of the integer wave numbers (m, n).
 Complex initial_amplitude(const SeaState& sea, int m, int n);
 

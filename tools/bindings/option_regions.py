@@ -60,7 +60,7 @@ def cpp_type(option):
     if option.own_type("C++"):
         return option.own_type("C++")
     if option.records:
-        return f"std::vector<{option.records.struct}>"
+        return f"FixedList<{option.records.struct}, {option.max}>"
     return option.enum.name.split("::")[-1] if option.enum else CPP_TYPES[option.type]
 
 

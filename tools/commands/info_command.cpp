@@ -198,12 +198,14 @@ Json sea_for_people(const Json& sea) {
     const SeaState state{.waves = *value_named<WaveModel>(sea.at("waves").get<std::string>()),
                          .spectrum = *value_named<SpectrumModel>(sea.at("spectrum").get<std::string>()),
                          .spreading = *value_named<SpreadingModel>(sea.at("spreading").get<std::string>()),
-                         .swell_height_m = sea.at("swell_height_m")};
+                         .peak_period_s = sea.at("peak_period_s"),
+                         .swell_height_m = sea.at("swell_height_m"),
+                         .wave_height_m = sea.at("wave_height_m")};
     const auto counts = [&](const std::string& key) {
         if (!requirement_of(key, state).empty()) return false;
-        if (key == "swell_height_m" || key == "patch_size_m" || key == "wave_count" || key.ends_with("est_wave_m"))
+        if (key == "swell_height_m" || key == "patch_size_m" || key == "wave_count" || key == "wave_height_m" ||
+            key == "peak_period_s" || key.ends_with("est_wave_m"))
             return sea.at(key) > 0;
-        if (key == "wave_height_m") return sea.at(key) >= 0;
         return key != "depth_m" || state.waves == WaveModel::spectrum || state.waves == WaveModel::regular;
     };
     Json rows = Json::object();
@@ -221,6 +223,10 @@ Json waves_for_people(const Json& waves, bool has_spectrum) {
         if (key == "loop_frequencies" && !has_spectrum) continue;
         if (key == "wind_sea" || key == "swell") {
             for (const auto& [figure, both] : value.items()) rows[key + ", " + figure] = both;
+        } else if (key == "systems") {
+            for (std::size_t i = 0; i < value.size(); ++i)
+                for (const auto& [figure, both] : value[i].items())
+                    rows["system " + number_text(i + 1) + ", " + figure] = both;
         } else if (value.is_object() && value.contains("number")) {
             rows[key] = value.at("number").dump() + ", " + value.at("name").get<std::string>();
         } else if (key == "slope_variance") {

@@ -92,9 +92,9 @@ Json wave_statistics_json(const MeasuredWaves& found, const SeaState& sea, const
         {"tm02_s", three(or_null(found.tm02_s), report.realised_periods.tm02_s, report.expected_periods.tm02_s)},
         {"zero_crossing_period_s", three(or_null(found.zero_crossing_period_s), report.realised_periods.tm02_s,
                                          report.expected_periods.tm02_s)}};
-    if (!report.wind_sea || !report.swell) return json;
+    if (!report.wind_sea || !report.swell || !report.systems.empty()) return json;
     const ComponentPeaks peaks = component_peaks(found.by_harmonic, sea);
-    const auto component = [&](const std::optional<double>& peak_s, const SystemStatistics& of) {
+    const auto component = [&](const std::optional<double>& peak_s, const SystemReport& of) {
         return three(or_null(peak_s), of.realised_peak_period_s.value_or(0), of.peak_period_s);
     };
     json["wind_sea_peak_period_s"] = component(peaks.wind_sea_s, *report.wind_sea);

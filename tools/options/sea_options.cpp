@@ -22,7 +22,20 @@ namespace pelagic::tools {
 namespace {
 
 /// Seas on which an option has an effect.
-enum class Needs { nothing, spectrum, jonswap, paper_spreading, swell, no_spectrum, analytic, pond, no_pond, regular };
+enum class Needs {
+    nothing,
+    spectrum,
+    jonswap,
+    fetch,
+    height,
+    paper_spreading,
+    swell,
+    no_spectrum,
+    analytic,
+    pond,
+    no_pond,
+    regular
+};
 
 /// A flag and its field of SeaState.
 struct SeaFlag {
@@ -44,7 +57,9 @@ constexpr SeaFlag sea_flags[] = {
      help_group::sea, Needs::nothing, "several cascades", ""},
     {"wind-speed", "wind_speed_mps", "wind speed at 10 m", help_group::sea, Needs::nothing, "", ""},
     {"wind-direction", "wind_direction_rad", "heading", help_group::sea, Needs::nothing, "", ""},
-    {"fetch", "fetch_m", "fetch in metres (jonswap)", help_group::sea, Needs::jonswap, "", ""},
+    {"fetch", "fetch_m", "fetch in metres (jonswap)", help_group::sea, Needs::fetch, "", ""},
+    {"peak-period", "peak_period_s", "peak period of the wind sea in seconds",
+     help_group::sea, Needs::height, "from the wind", ""},
     {"peak-enhancement", "peak_enhancement", "height of the spectrum's peak, gamma (jonswap)",
      help_group::sea, Needs::jonswap, "", ""},
     {"depth", "depth_m", "water depth in metres", help_group::sea, Needs::nothing, "", ""},
@@ -73,7 +88,7 @@ constexpr SeaFlag sea_flags[] = {
     {"wave-strength", "wave_strength", "0 calm, 1 moderate, 2 intense",
      help_group::analytic, Needs::analytic, "", ""},
     {"wave-height", "wave_height_m", "significant wave height in metres",
-     help_group::analytic, Needs::no_spectrum, "depends on --wave-strength; pond: 0.017 of the longest wave", ""},
+     help_group::sea, Needs::height, "from the wind or --wave-strength; pond: 0.017 of the longest wave", ""},
     {"wave-drag", "wave_drag", "drift of a pond's short waves on long ones",
      help_group::analytic, Needs::pond, "", ""},
     {"regular-height", "regular_height_m", "height from trough to crest in metres",
@@ -170,6 +185,9 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
     const SeaStateField& field = field_of(flag);
     if (takes_wind(flag) && text == "wind") return field.set(resolved.sea, *field.also);
     const double number = set_typed(resolved.sea, field, text, option, accepted_by(flag), is_recorded);
+    // Height and period replace the fetch of a preset; require_effect() rejects a fetch beside them.
+    const bool is_height = flag.field == "wave_height_m" || flag.field == "peak_period_s";
+    if (is_height && number > 0) resolved.sea.fetch_m = SeaState{}.fetch_m;
     if (flag.field == "loop_period_s") resolved.has_loop_period = true;
     if (const SeaAngle* const angle = sea_angle(flag.field)) resolved.*angle->degrees = number;
 }
@@ -321,11 +339,18 @@ std::string_view missing_for(Needs needs, const SeaState& sea) {
         case Needs::pond: return unless(is_pond, "--waves pond");
         case Needs::no_pond: return unless(!is_pond, "--waves spectrum, analytic or regular");
         case Needs::regular: return unless(sea.waves == WaveModel::regular, "--waves regular");
+        case Needs::height:
+            if (!is_spectrum) return unless(sea.waves != WaveModel::regular, "--waves spectrum, analytic or pond");
+            return unless(sea.spectrum == SpectrumModel::jonswap || sea.spectrum == SpectrumModel::pierson_moskowitz,
+                          "--spectrum jonswap or pierson-moskowitz");
         default: break;
     }
     if (!is_spectrum) return "--waves spectrum";
     switch (needs) {
         case Needs::jonswap: return unless(sea.spectrum == SpectrumModel::jonswap, "--spectrum jonswap");
+        case Needs::fetch:
+            if (sea.wave_height_m > 0 || sea.peak_period_s > 0) return "no --wave-height and no --peak-period";
+            return unless(sea.spectrum == SpectrumModel::jonswap, "--spectrum jonswap");
         case Needs::paper_spreading: return unless(spreading_of(sea) == SpreadingModel::paper, "--spreading paper");
         case Needs::swell: return unless(sea.swell_height_m > 0, "--swell-height");
         default: return "";

@@ -14,7 +14,6 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr std::size_t max_systems = 8;
 constexpr const char* example_of_system = "words such as height=1.2 period=12 from=W spread=15";
 
 /// Calls visit(key, member, accepted) for each option. \param accepted  empty: by the field
@@ -130,9 +129,9 @@ std::vector<ConfigEntry> entries_of_text(const std::string& text) {
 }
 
 void require_few_systems(const std::string& option, std::size_t count) {
-    if (count > max_systems)
+    if (count > max_wave_systems)
         throw InputError(option + " is given " + number_text(count) + " times, expected at most " +
-                         number_text(max_systems));
+                         number_text(max_wave_systems));
 }
 
 }  // namespace

@@ -188,13 +188,18 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report,
     if (report.expected_convergence_variance > 0)
         json["convergence_variance"] =
             both(report.expected_convergence_variance, report.realised_convergence_variance);
-    const auto component = [&](const SystemStatistics& of) -> Json {
+    const auto component = [&](const SystemReport& of) -> Json {
         return {
             {"significant_wave_height_m", both(of.significant_wave_height_m, of.realised_significant_wave_height_m)},
-            {"peak_period_s", both(of.peak_period_s, of.realised_peak_period_s.value_or(0))}};
+            {"peak_period_s", both(of.peak_period_s, of.realised_peak_period_s.value_or(0))},
+            {"mean_direction_deg",
+             both(in_degrees(of.expected_directions.mean_rad), in_degrees(of.realised_directions.mean_rad))},
+            {"directional_spread_deg",
+             both(in_degrees(of.expected_directions.spread_rad), in_degrees(of.realised_directions.spread_rad))}};
     };
     if (report.wind_sea) json["wind_sea"] = component(*report.wind_sea);
     if (report.swell) json["swell"] = component(*report.swell);
+    for (const SystemReport& system : report.systems) json["systems"].push_back(component(system));
     if (report.effective_fetch_m) json["effective_fetch_m"] = *report.effective_fetch_m;
     return json;
 }

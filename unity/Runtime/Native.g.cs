@@ -40,6 +40,8 @@ namespace Pelagic
         PiersonMoskowitz = 2,
         /// <summary>a sea that grows with the fetch</summary>
         Jonswap = 3,
+        /// <summary>No wind sea: only the swell and systems; the wind still sets roughness, drift and foam.</summary>
+        None = 4,
     }
 
     public enum Spreading
@@ -148,17 +150,26 @@ namespace Pelagic
     [StructLayout(LayoutKind.Sequential)]
     public partial struct WaveSystem
     {
-        /// <summary>Spectrum; spectrum of the system</summary>
+        /// <summary>
+        /// Spectrum; spectrum: jonswap, pierson-moskowitz or phillips. By height, pierson-moskowitz is
+        /// jonswap with gamma 1.
+        /// </summary>
         public Spectrum Spectrum;
-        /// <summary>Spreading; directional spreading, where SpreadRad is 0</summary>
+        /// <summary>
+        /// Spreading; directional spreading, where SpreadRad is 0. Hasselmann's and cosine-2s depend on
+        /// the wind; by height and period it is the wind that raises such waves in JONSWAP's growth.
+        /// </summary>
         public Spreading Spreading;
         /// <summary>U10 of the wind of the system; (0, 60]</summary>
         public double WindSpeedMps;
         /// <summary>distance that it has blown over water (jonswap); (0, 2e6]</summary>
         public double FetchM;
-        /// <summary>significant wave height, Hm0; [0, 30]. 0: by the wind</summary>
+        /// <summary>
+        /// Significant wave height, Hm0; (0, 30]. 0: by the wind and PeakPeriodS. With PeakPeriodS, the system has
+        /// both at any depth. Of one alone, the other follows as of the wind sea.
+        /// </summary>
         public double HeightM;
-        /// <summary>peak period; [1, 40]. 0: by the wind</summary>
+        /// <summary>peak period; [1, 40]. 0: by the wind and HeightM</summary>
         public double PeakPeriodS;
         /// <summary>
         /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10].
@@ -178,10 +189,10 @@ namespace Pelagic
     {
         internal uint struct_size;
         /// <summary>
-        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, lean, ShortWaveCutoff,
-        /// WindAlignment, the swell, systems and seed, and only a spectrum and a regular wave DepthM. Only the other
-        /// models use WaveCount and the options after it. All models use the wind, whose direction is that of their
-        /// waves.
+        /// WavesKind; wave model. Only a spectrum uses spectrum, spreading, FetchM, PeakPeriodS, lean,
+        /// ShortWaveCutoff, WindAlignment, the swell, systems and seed, and only a spectrum and a regular wave
+        /// DepthM. Only the other models use WaveCount and the options after it but WaveHeightM and systems. All
+        /// models use the wind, whose direction is that of their waves.
         /// </summary>
         public WavesKind Waves;
         /// <summary>Spectrum; wave spectrum</summary>
@@ -223,9 +234,15 @@ namespace Pelagic
         public double WindDirectionRad;
         /// <summary>
         /// Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has an effect;
-        /// (0, 2e6].
+        /// (0, 2e6]. Excludes WaveHeightM and PeakPeriodS.
         /// </summary>
         public double FetchM;
+        /// <summary>
+        /// Peak period of the wind sea (jonswap, pierson-moskowitz); [1, 40]. 0: by WaveHeightM and the wind. With
+        /// WaveHeightM, the wind sea has that height and period at any depth. Of one alone, the other follows from
+        /// JONSWAP's growth in this wind with the fetch eliminated; of pierson-moskowitz, from its peak.
+        /// </summary>
+        public double PeakPeriodS;
         /// <summary>
         /// Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap); [1, 10].
         /// </summary>
@@ -237,9 +254,9 @@ namespace Pelagic
         /// <summary>scale of horizontal displacements; [0, 1]. 0 gives a height field</summary>
         public double Choppiness;
         /// <summary>
-        /// Forward displacement of crests, as a fraction of the displacement that sharpens them; [0, 0.6]. -1: 0 up to
-        /// 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for phillips-paper. It makes fronts steeper than backs. A swell
-        /// does not lean.
+        /// Forward displacement of crests of the wind sea, as a fraction of the displacement that sharpens them;
+        /// [0, 0.6]. -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for phillips-paper. It makes fronts steeper
+        /// than backs. A swell and systems do not lean.
         /// </summary>
         public double Lean;
         /// <summary>
@@ -280,8 +297,8 @@ namespace Pelagic
         /// <summary>Strength of analytic waves: 0 calm, 1 moderate, 2 intense, interpolated between; [0, 2].</summary>
         public double WaveStrength;
         /// <summary>
-        /// Significant wave height of an analytic sea or a pond; [0, 30]. 0: from WaveStrength, of a pond 0.017
-        /// LongestWaveM. Of a pond it is above 0.
+        /// Significant wave height of the wind sea (jonswap, pierson-moskowitz), of an analytic sea or of a pond;
+        /// (0, 30]. 0: from the wind, of analytic waves from WaveStrength, of a pond 0.017 LongestWaveM.
         /// </summary>
         public double WaveHeightM;
         /// <summary>horizontal drag of a pond's short waves by its long ones; [0, 1]</summary>

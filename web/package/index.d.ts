@@ -6,25 +6,32 @@
 export interface WaveSystem {
   // generated from schema/wave_system.toml: properties
   /**
-   * Spectrum of the system. "phillips-paper": scaled as in VR Ocean, without a swell. "phillips":
-   * Phillips' shape with a physical height. "pierson-moskowitz": a fully developed sea; no fetch.
-   * "jonswap": a sea that grows with the fetch. Default "jonswap".
+   * Spectrum: jonswap, pierson-moskowitz or phillips. "phillips-paper": scaled as in VR Ocean,
+   * without a swell. "phillips": Phillips' shape with a physical height. "pierson-moskowitz": a
+   * fully developed sea; no fetch. "jonswap": a sea that grows with the fetch. "none": no wind
+   * sea: only the swell and systems; the wind still sets roughness, drift and foam. By height,
+   * pierson-moskowitz is jonswap with gamma 1. Default "jonswap".
    */
-  spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap';
+  spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap' | 'none';
   /**
    * Directional spreading, where spreadRad is 0. "paper": VR Ocean, by windAlignment.
    * "cosine-2s": measured, Longuet-Higgins et al. 1963. "hasselmann": measured, Hasselmann et al.
-   * 1980. "donelan-banner": measured, Donelan et al. 1985 and Banner 1990. Default
-   * "donelan-banner".
+   * 1980. "donelan-banner": measured, Donelan et al. 1985 and Banner 1990. Hasselmann's and
+   * cosine-2s depend on the wind; by height and period it is the wind that raises such waves in
+   * JONSWAP's growth. Default "donelan-banner".
    */
   spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
   /** U10 of the wind of the system, metres per second: (0, 60]. Default 12. */
   windSpeedMps?: number;
   /** Distance that it has blown over water (jonswap), metres: (0, 2e6]. Default 100000. */
   fetchM?: number;
-  /** Significant wave height, Hm0, metres: [0, 30]. 0: by the wind. Default 0. */
+  /**
+   * Significant wave height, Hm0, metres: (0, 30], or 0: by the wind. With peakPeriodS, the
+   * system has both at any depth. Of one alone, the other follows as of the wind sea. Default 0:
+   * by the wind and peakPeriodS.
+   */
   heightM?: number;
-  /** Peak period, seconds: [1, 40], or 0: by the wind. Default 0: by the wind. */
+  /** Peak period, seconds: [1, 40], or 0: by the wind. Default 0: by the wind and heightM. */
   peakPeriodS?: number;
   /**
    * Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap):
@@ -52,18 +59,20 @@ export interface SeaOptions {
   preset?: string;
   // generated from schema/sea.toml: properties
   /**
-   * Wave model. Only a spectrum uses spectrum, spreading, fetchM, lean, shortWaveCutoff,
-   * windAlignment, the swell, systems and seed, and only a spectrum and a regular wave depthM.
-   * Only the other models use waveCount and the options after it. All models use the wind, whose
-   * direction is that of their waves. Default "spectrum".
+   * Wave model. Only a spectrum uses spectrum, spreading, fetchM, peakPeriodS, lean,
+   * shortWaveCutoff, windAlignment, the swell, systems and seed, and only a spectrum and a
+   * regular wave depthM. Only the other models use waveCount and the options after it but
+   * waveHeightM and systems. All models use the wind, whose direction is that of their waves.
+   * Default "spectrum".
    */
   waves?: 'spectrum' | 'analytic' | 'pond' | 'regular';
   /**
    * Wave spectrum. "phillips-paper": scaled as in VR Ocean, without a swell. "phillips":
    * Phillips' shape with a physical height. "pierson-moskowitz": a fully developed sea; no fetch.
-   * "jonswap": a sea that grows with the fetch. Default "jonswap".
+   * "jonswap": a sea that grows with the fetch. "none": no wind sea: only the swell and systems;
+   * the wind still sets roughness, drift and foam. Default "jonswap".
    */
-  spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap';
+  spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap' | 'none';
   /**
    * Directional spreading. "paper": VR Ocean, by windAlignment. "cosine-2s": measured,
    * Longuet-Higgins et al. 1963. "hasselmann": measured, Hasselmann et al. 1980.
@@ -95,9 +104,16 @@ export interface SeaOptions {
   windDirectionRad?: number;
   /**
    * Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has
-   * an effect, metres: (0, 2e6]. Default 100000.
+   * an effect, metres: (0, 2e6]. Excludes waveHeightM and peakPeriodS. Default 100000.
    */
   fetchM?: number;
+  /**
+   * Peak period of the wind sea (jonswap, pierson-moskowitz), seconds: [1, 40], or 0: chosen.
+   * With waveHeightM, the wind sea has that height and period at any depth. Of one alone, the
+   * other follows from JONSWAP's growth in this wind with the fetch eliminated; of
+   * pierson-moskowitz, from its peak. Default 0: by waveHeightM and the wind.
+   */
+  peakPeriodS?: number;
   /**
    * Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap):
    * [1, 10]. Default 3.3.
@@ -111,9 +127,10 @@ export interface SeaOptions {
   /** Scale of horizontal displacements: [0, 1]. 0 gives a height field. Default 0.8. */
   choppiness?: number;
   /**
-   * Forward displacement of crests, as a fraction of the displacement that sharpens them:
-   * [0, 0.6], or -1: from the wind. It makes fronts steeper than backs. A swell does not lean.
-   * Default -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for phillips-paper.
+   * Forward displacement of crests of the wind sea, as a fraction of the displacement that
+   * sharpens them: [0, 0.6], or -1: from the wind. It makes fronts steeper than backs. A swell
+   * and systems do not lean. Default -1: 0 up to 3 m/s, 0.42 at 10 m/s, 0.52 at 20 m/s; 0 for
+   * phillips-paper.
    */
   lean?: number;
   /**
@@ -177,8 +194,9 @@ export interface SeaOptions {
    */
   waveStrength?: number;
   /**
-   * Significant wave height of an analytic sea or a pond, metres: [0, 30], or -1: chosen. Of a
-   * pond it is above 0. Default -1: from waveStrength, of a pond 0.017 longestWaveM.
+   * Significant wave height of the wind sea (jonswap, pierson-moskowitz), of an analytic sea or
+   * of a pond, metres: (0, 30], or 0: chosen. Default 0: from the wind, of analytic waves from
+   * waveStrength, of a pond 0.017 longestWaveM.
    */
   waveHeightM?: number;
   /** Horizontal drag of a pond's short waves by its long ones: [0, 1]. Default 0.38. */

@@ -66,13 +66,11 @@ class Setting(typing.NamedTuple):
     needs: str  # "", or the seas on which it has an effect, as in schema/sea.toml
 
     def is_of(self, sea):
-        return self.needs in ("", "no_pond") or (self.needs in ("analytic", "no_spectrum")) != has_spectrum(sea)
+        return self.needs in ("", "no_pond", "height") or (self.needs in ("analytic", "no_spectrum")) != has_spectrum(sea)
 
     def take(self, settings, sea):
         """Takes the value of a preset."""
         value = getattr(sea, self.field)
-        if self.field in ZERO_IS_DERIVED:
-            value = max(0, value)
         setattr(settings, self.name, str(value) if self.field == "resolution" else value)
 
     def value_in(self, settings):
@@ -81,12 +79,9 @@ class Setting(typing.NamedTuple):
             return math.radians(typed_degrees(value))
         if self.field == "resolution":
             return int(value)
-        if self.field in ZERO_IS_DERIVED and value <= 0:
-            return -1
         return typed(value) if isinstance(value, float) else value
 
 
-ZERO_IS_DERIVED = ("wave_height_m",)  # -1 in the library
 SETTINGS = (
     # generated from schema/sea.toml: blender-settings
     Setting("spectrum", "spectrum", "spectrum", "spectrum"),
@@ -96,7 +91,8 @@ SETTINGS = (
     Setting("cascade_side", "patch_size_m", "cascades", ""),
     Setting("wind_speed", "wind_speed_mps", "waves", ""),
     Setting("wind_direction", "wind_direction_rad", "waves", ""),
-    Setting("fetch", "fetch_m", "waves", "jonswap"),
+    Setting("fetch", "fetch_m", "waves", "fetch"),
+    Setting("peak_period", "peak_period_s", "waves", "height"),
     Setting("peak_enhancement", "peak_enhancement", "spectrum", "jonswap"),
     Setting("depth", "depth_m", "waves", ""),
     Setting("choppiness", "choppiness", "waves", "no_pond"),
@@ -109,7 +105,7 @@ SETTINGS = (
     Setting("loop_period", "loop_period_s", "waves", ""),
     Setting("seed", "seed", "waves", "spectrum"),
     Setting("wave_strength", "wave_strength", "waves", "analytic"),
-    Setting("wave_height", "wave_height_m", "waves", "no_spectrum"),
+    Setting("wave_height", "wave_height_m", "waves", "height"),
     # end of generated
 )
 

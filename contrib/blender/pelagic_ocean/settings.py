@@ -33,7 +33,8 @@ class PelagicOcean(bpy.types.PropertyGroup):
             ("phillips-paper", "phillips-paper", "Scaled as in VR Ocean, without a swell", 0),
             ("phillips", "phillips", "Phillips' shape with a physical height", 1),
             ("pierson-moskowitz", "pierson-moskowitz", "A fully developed sea; no fetch", 2),
-            ("jonswap", "jonswap", "A sea that grows with the fetch", 3)),
+            ("jonswap", "jonswap", "A sea that grows with the fetch", 3),
+            ("none", "none", "No wind sea: only the swell and systems; the wind still sets roughness, drift and foam", 4)),
         description="Wave spectrum")
     spreading: EnumProperty(
         name="Spreading", update=changed,
@@ -70,6 +71,10 @@ class PelagicOcean(bpy.types.PropertyGroup):
         default=100000, min=1, max=2000000, subtype="DISTANCE",
         description="Distance that the wind has blown over water (jonswap), of which at most 17,000 U10^2 / g has an "
                     "effect")
+    peak_period: FloatProperty(
+        name="Peak Period", update=changed,
+        default=0, min=0, max=40, unit="TIME_ABSOLUTE",
+        description="Peak period of the wind sea (jonswap, pierson-moskowitz); 0: by Wave Height and the wind")
     peak_enhancement: FloatProperty(
         name="Peak Enhancement", update=changed,
         default=3.3, min=1, max=10,
@@ -121,8 +126,8 @@ class PelagicOcean(bpy.types.PropertyGroup):
     wave_height: FloatProperty(
         name="Wave Height", update=changed,
         default=0, min=0, max=30, subtype="DISTANCE",
-        description="Significant wave height of an analytic sea or a pond; 0: from Strength, of a pond 0.017 "
-                    "longest_wave_m")
+        description="Significant wave height of the wind sea (jonswap, pierson-moskowitz), of an analytic sea or of "
+                    "a pond; 0: from the wind, of analytic waves from Strength, of a pond 0.017 longest_wave_m")
     # end of generated
 
     size: FloatProperty(
