@@ -38,7 +38,7 @@ TEST(RegularCommand, RejectsInvalidWaves) {
              std::pair<Words, std::string>{{"--regular", "hight=2"}, "--regular is hight=2, expected " + words},
              {{"--regular", "2 8"}, "--regular is 2, expected " + words},
              {{"--regular", " "}, "--regular is  , expected " + words},
-             {{"--regular", "height=x"}, "--regular height is x, expected (0, 60]"},
+             {{"--regular", "height=x"}, "--regular height x is out of range (0, 60]"},
              {{"--regular", "height=20"},
               "--regular-height is 20, expected at most 14.18 for a wave of 99.89 m at order 1"},
              {{"--regular", "period=8", "--loop-period", "100"},
