@@ -34,8 +34,8 @@ std::vector<BadInput> bad_inputs() {
         {{"info", "--out", "OUT"}, {"--out", "unknown"}},
         {{"export", "--out", "OUT", "--seed", "1", "--seed", "2"}, {"--seed", "2 times", "once"}},
         {{"export", "--out", "OUT", "--seed"}, {"--seed", "requires a value"}},
-        {{"export", "--out", "OUT", "--system", "height=-1"}, {"--system \"height=-1\": height -1", "[0, 30]"}},
-        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2: height -1", "[0, 30]"}, "[[system]]\nheight = -1\n"},
+        {{"export", "--out", "OUT", "--system", "height=-1"}, {"--system \"height=-1\": height -1", "(0, 30]"}},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2: height -1", "(0, 30]"}, "[[system]]\nheight = -1\n"},
         // Output paths.
         {{"export"}, {"--out", "missing", "folder"}},
         {{"export", "--out", ""}, {"--out", "folder"}},

@@ -127,7 +127,7 @@ TEST(CInterface, InvalidFieldsOfASeaAreNamed) {
              sea.systems[0].spreading = 9;
              sea.system_count = 1;
          }},
-        {"systems[1].height_m -1 is out of range [0, 30]",
+        {"systems[1].height_m -1 is out of range (0, 30], or 0: by the wind",
          [](pelagic_sea& sea) {
              sea.systems[0] = sea.systems[1] = pelagic_wave_system_make();
              sea.systems[1].height_m = -1;

@@ -117,13 +117,13 @@ TEST(SystemOptions, KeepTheBitsOfAnglesInDegrees) {
 
 TEST(SystemOptions, OfWrongInputAreRefusedInOneLine) {
     const auto typed = [](const std::string& text) { return message_of([&] { parse_wave_systems({text}); }); };
-    EXPECT_EQ(typed("height=-1"), "--system \"height=-1\": height -1 is out of range [0, 30]");
+    EXPECT_EQ(typed("height=-1"), "--system \"height=-1\": height -1 is out of range (0, 30]");
     EXPECT_EQ(typed("heigth=1"),
               "--system \"heigth=1\": unknown key heigth, expected spectrum, spreading, wind_speed, fetch, height, "
               "period, peak_enhancement, direction, spread, from or towards (the nearest is height)");
     EXPECT_EQ(typed("period=0"),
               "--system \"period=0\": period 0 is out of range [1, 40] s, or with a unit such as 4s, 2min");
-    EXPECT_EQ(typed("height=nan"), "--system \"height=nan\": height nan is out of range [0, 30]");
+    EXPECT_EQ(typed("height=nan"), "--system \"height=nan\": height nan is out of range (0, 30]");
     EXPECT_EQ(typed("spread=90"), "--system \"spread=90\": spread is 90, expected degrees in [1, 80]");
     EXPECT_EQ(typed("from=from-W"),
               "--system \"from=from-W\": from is from-W, expected degrees in [-360, 360], or one of 16 points such as "
@@ -141,12 +141,12 @@ TEST(SystemOptions, OfWrongInputAreRefusedInOneLine) {
 
     const auto toml = [](const std::string& text) { return message_of([&] { of_toml(text); }); };
     EXPECT_EQ(toml("[[system]]\nheight = \"1.2\"\n"),
-              "sea.toml:2: height is \"1.2\", expected a number without quotes: [0, 30]");
+              "sea.toml:2: height is \"1.2\", expected a number without quotes: (0, 30]");
     EXPECT_EQ(toml("[system]\nheight = 1\n"), "sea.toml:1: system is no table, expected lines [[system]]");
     EXPECT_EQ(toml("system = 3\n"), "sea.toml:1: system is no table, expected lines [[system]]");
     EXPECT_EQ(toml("[[system]]\nheight = [1]\n"), "sea.toml:2: height is of type array, expected a number or a text");
     const auto json = [](const std::string& text) { return message_of([&] { of_json(text); }); };
-    EXPECT_EQ(json("[{\"height_m\": 40}]"), "sea.json: sea.systems: height_m 40 is out of range [0, 30]");
+    EXPECT_EQ(json("[{\"height_m\": 40}]"), "sea.json: sea.systems: height_m 40 is out of range (0, 30]");
     EXPECT_EQ(json("[{\"from\": 40}]"),
               "sea.json: sea.systems: unknown key from, expected spectrum, spreading, wind_speed_mps, fetch_m, "
               "height_m, peak_period_s, peak_enhancement, direction_deg or spread_deg");

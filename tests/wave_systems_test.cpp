@@ -534,17 +534,17 @@ std::string refused(const std::function<void(SeaState&)>& change) {
 TEST(WaveSystems, BadInputIsRejectedWithOneLine) {
     EXPECT_EQ(check(crossing_seas), "");
     EXPECT_EQ(refused([](SeaState& sea) { sea.systems[1].height_m = -1; }),
-              "system 2: height_m -1 is out of range (0, 30], or 0: chosen");
+              "systems[1].height_m -1 is out of range (0, 30], or 0: by the wind");
     EXPECT_EQ(refused([](SeaState& sea) { sea.systems[0].peak_period_s = 0.5; }),
-              "system 1: peak_period_s 0.5 is out of range [1, 40], or 0: chosen");
+              "systems[0].peak_period_s 0.5 is out of range [1, 40], or 0: by the wind");
     EXPECT_EQ(refused([](SeaState& sea) { sea.systems[0].spread_rad = 2; }),
-              "system 1: spread_rad 2 is out of range [pi/180, 4 pi/9], or 0: chosen");
+              "systems[0].spread_rad 2 is out of range [pi/180, 4 pi/9], or 0: by the spreading model");
     EXPECT_EQ(refused([](SeaState& sea) { sea.systems[0].fetch_m = 5e3; }),
-              "system 1: fetch_m is 5000, expected none beside height_m");
+              "systems[0].fetch_m is 5000, expected none beside height_m");
     EXPECT_EQ(refused([](SeaState& sea) { sea.systems[0].spectrum = SpectrumModel::none; }),
-              "system 1: spectrum is none, expected phillips, pierson-moskowitz or jonswap");
+              "systems[0].spectrum is none, expected phillips, pierson-moskowitz or jonswap");
     EXPECT_EQ(refused([](SeaState& sea) { sea.systems[0].spectrum = SpectrumModel::phillips; }),
-              "system 1: height_m is 1.4, expected 0 where the spectrum is phillips");
+              "systems[0].height_m is 1.4, expected 0 where the spectrum is phillips");
     EXPECT_EQ(refused([](SeaState& sea) { sea.peak_period_s = 6, sea.fetch_m = 5e3; }),
               "fetch_m is 5000, expected none beside peak_period_s");
     EXPECT_EQ(refused([](SeaState& sea) { sea.spectrum = SpectrumModel::none, sea.wave_height_m = 1; }),

@@ -148,7 +148,10 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
             const ShownSlope resolved_x = resolved_slope(cascade, m), filtered_x = filtered_slope(cascade, m);
             const double drift = stokes_drift(k, waves.water()) / k;
             const double orbit = orbit_ratio(k, waves.water().depth_m), orbit_square = orbit * orbit;
-            const double lean = waves.lean(k), sharpening = orbit / std::sqrt(1 + lean * lean);
+            const CascadeWaves::MirroredPair mirrored = waves.pair(m, n);
+            const bool has_waves = mirrored.plus.expected_square() + mirrored.minus.expected_square() > 0;
+            const double lean = has_waves ? waves.lean(k) : 0;  // most cells are beyond the band
+            const double sharpening = orbit / std::sqrt(1 + lean * lean);
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
@@ -202,7 +205,6 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 all += statistics;
                 if (by_band && opposites.expected_square() > 0) (*by_band)[harmonic_band(periods)] += statistics;
             };
-            const CascadeWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
             put(direction_x, m / length * sharpening);

@@ -38,7 +38,7 @@ def test_the_systems_of_a_sea_are_any_sequence_of_at_most_eight():
     assert pelagic.Sea._of_library(struct).systems == (system, system)
     assert pelagic.Sea(systems=[]) == pelagic.Sea()
     for error, line, make in (
-            (ValueError, "height_m -1 is out of range [0, 30]", lambda: pelagic.WaveSystem(height_m=-1)),
+            (ValueError, "height_m -1 is out of range (0, 30], or 0: by the wind", lambda: pelagic.WaveSystem(height_m=-1)),
             (ValueError, "spectrum is chop, expected phillips-paper, phillips, pierson-moskowitz or jonswap", lambda: pelagic.WaveSystem(spectrum="chop")),
             (ValueError, "systems has 9 elements, expected 0 to 8", lambda: pelagic.Sea(systems=[system] * 9)),
             (TypeError, "systems is 3, expected a sequence of pelagic.WaveSystem", lambda: pelagic.Sea(systems=3)),

@@ -33,7 +33,7 @@ public static class LifetimeTests
         Check.Equal(sea.Systems[1].HeightM, 2.0, "height of the second");
         swell.HeightM = -1;
         sea.Systems = new[] { WaveSystem.Default, swell };
-        Check.Equal(Check.Throws<PelagicException>(() => sea.Check(), "a negative height").Message, "systems[1].height_m -1 is out of range [0, 30]", "message");
+        Check.Equal(Check.Throws<PelagicException>(() => sea.Check(), "a negative height").Message, "systems[1].height_m -1 is out of range (0, 30], or 0: by the wind", "message");
         Check.Equal(Check.Throws<ArgumentException>(() => sea.Systems = new WaveSystem[9], "nine systems").Message, "Systems has 9 elements, expected 0 to 8", "message");
     }
 

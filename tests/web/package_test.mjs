@@ -119,7 +119,7 @@ test('an invalid value is rejected by one line that says what is accepted', asyn
     [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, expected 0 where the spectrum is phillips-paper'],
     [{ systems: 3 }, 'systems is 3, expected an array'],
     [{ systems: [3] }, 'systems[0] is 3, expected an object'],
-    [{ systems: [{}, { heightM: -1 }] }, 'systems[1].heightM -1 is out of range [0, 30]'],
+    [{ systems: [{}, { heightM: -1 }] }, 'systems[1].heightM -1 is out of range (0, 30], or 0: by the wind'],
     [{ systems: [{ spectrum: 'jonswop' }] },
       'systems[0].spectrum is "jonswop", expected phillips-paper, phillips, pierson-moskowitz or jonswap (the nearest is jonswap)'],
     [{ systems: [{ height: 1 }] }, 'there is no option systems[0].height, expected systems[0].heightM'],
