@@ -553,6 +553,10 @@ TEST(Info, PrintsMeanPeriodsSeparatePeaksAndRepeatLength) {
     EXPECT_EQ(waves["tm02_s"], periods);
     EXPECT_GT(waves["convergence_variance"]["measured"], 0);
     const SeaState swell = sea_preset_named("swell")->sea;
+    double level_m = 0;
+    Ocean ocean(swell, {.executor = make_serial_executor()});
+    for (const Cascade& cascade : ocean.frame_at(0).cascades) level_m += static_cast<double>(cascade.level_m);
+    EXPECT_NEAR(waves["level_m"]["measured"], level_m, 1e-7);
     EXPECT_EQ(info["repeats_after_m"], repeat_length_m(swell));
     EXPECT_FALSE(json::parse(run_pelagic({"info", "--json"}).out)["waves"].contains("swell"));
 

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -135,6 +137,22 @@ TEST(RegularSea, HasWholeWavelengthsAndPeriods) {
     EXPECT_NEAR(plan_cascades(sea)[0].grid.side_m * oracle::wave_number_at(2 * pi / 8, 4000) / (2 * pi), 6, 1e-9);
 }
 
+TEST(RegularSea, IsBitIdenticalOnEachInstructionSet) {
+    SeaState sea = regular_sea(3, 8);
+    sea.order = 2;
+    sea.depth_m = 20;
+    sea.wind_direction_rad = 0.4;
+    std::set<std::uint64_t> hashes;
+    std::set<double> heights;
+    for (const Isa isa : isas_here()) {
+        Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true});
+        heights.insert(height_at(ocean, 3.25, 17, -40));
+        hashes.insert(hash_of(ocean.frame_at(3.25)));
+    }
+    EXPECT_EQ(hashes.size(), 1u);
+    EXPECT_EQ(heights.size(), 1u);
+}
+
 TEST(RegularSea, HasTheStatisticsOfASine) {
     const SeaReport report = report_on(regular_sea(2, 8));
     EXPECT_NEAR(report.expected.significant_wave_height_m, 4 * std::sqrt(0.5), 1e-9);
@@ -166,7 +184,8 @@ TEST(RegularSea, BadOptionsAreNamed) {
                             .changes = {{.sea = regular_sea(1, 8), .from_s = 10, .over_s = 10}}};
     EXPECT_EQ(check(changing),
               "change 1: waves is regular, expected spectrum or analytic: a regular wave does not change");
-    EXPECT_EQ(check(bay(), regular_sea(2, 8)), "waves is regular, expected spectrum or analytic where there is a shore");
+    EXPECT_EQ(check(bay(), regular_sea(2, 8)),
+              "waves is regular, expected spectrum or analytic where there is a shore");
 }
 
 TEST(RegularSea, ReplacesNoSeaOfAnotherModel) {

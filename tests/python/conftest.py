@@ -73,6 +73,8 @@ def golden_seas():
     seas["analytic-64"] = pelagic.Sea(waves="analytic", resolution=64, choppiness=1)
     seas["pond-64"] = pelagic.Sea(waves="pond", resolution=64)
     seas["short-wave-cutoff-64"] = pelagic.Sea(**one_cascade, short_wave_cutoff=0.8)
+    seas["none-64"] = pelagic.Sea(**one_cascade, spectrum="none", swell_height_m=2)
+    seas["wind-sea-by-height"] = pelagic.Sea(wave_height_m=2, peak_period_s=7)
     for name in ("calm", "moderate", "rough", "storm"):
         seas[f"preset-{name}"] = pelagic.preset(name)
     return seas

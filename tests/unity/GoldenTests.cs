@@ -58,6 +58,16 @@ public static unsafe class GoldenTests
                 box.Sea.Waves = WavesKind.Pond;
                 box.Sea.Resolution = 64;
             }),
+            ["none-64"] = OneCascade(box =>
+            {
+                box.Sea.Spectrum = Spectrum.None;
+                box.Sea.SwellHeightM = 2;
+            }),
+            ["wind-sea-by-height"] = Of(box =>
+            {
+                box.Sea.WaveHeightM = 2;
+                box.Sea.PeakPeriodS = 7;
+            }),
             ["short-wave-cutoff-64"] = OneCascade(box => box.Sea.ShortWaveCutoff = 0.8),
         };
         foreach (var preset in new[] { "calm", "moderate", "rough", "storm" }) seas["preset-" + preset] = Sea.Preset(preset);
@@ -130,7 +140,7 @@ public static unsafe class GoldenTests
     [Test]
     public static void TexelsOfPlanesHaveTheGoldenHashes()
     {
-        foreach (var name in new[] { "jonswap-64", "phillips-64", "phillips-paper-64", "pierson-moskowitz-64" })
+        foreach (var name in new[] { "jonswap-64", "none-64", "phillips-64", "phillips-paper-64", "pierson-moskowitz-64" })
         {
             var sea = Seas()[name];
             sea.Roughness = 0.1;

@@ -9,6 +9,8 @@ seas['shallow-64'] = { ...oneCascade, depthM: 8 };
 seas['breaking-swell-64'] = { ...oneCascade, depthM: 2, swellHeightM: 1, swellDirectionRad: 2 };
 seas['analytic-64'] = { waves: 'analytic', resolution: 64, choppiness: 1 };
 seas['pond-64'] = { waves: 'pond', resolution: 64 };
+seas['none-64'] = { ...oneCascade, spectrum: 'none', swellHeightM: 2 };
+seas['wind-sea-by-height'] = { waveHeightM: 2, peakPeriodS: 7 };
 seas['short-wave-cutoff-64'] = { ...oneCascade, shortWaveCutoff: 0.8 };
 for (const preset of ['calm', 'moderate', 'rough', 'storm']) seas[`preset-${preset}`] = { preset };
 
