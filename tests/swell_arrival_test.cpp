@@ -280,7 +280,7 @@ std::uint64_t height_hash(const Frame& frame) {
 // The waves of this moment on every machine. If this hash changes, every forecast changes.
 TEST(SwellArrival, FrameMatchesTheGoldenHash) {
     Ocean ocean(from_afar(1e3, 20), {.executor = make_serial_executor()});
-    EXPECT_EQ(height_hash(ocean.frame_at(90)), 9218743355281508117u);
+    EXPECT_EQ(height_hash(ocean.frame_at(90)), 3874481786162187305u);
 }
 
 TEST(SwellArrival, BeginsAndEndsWithTheSteadySeas) {
