@@ -30,17 +30,26 @@ class FixedList {
         if (size_ == Max) throw std::length_error("a list holds more values than it accepts");
         values_[size_++] = value;
     }
+    /// Removes all values.
     constexpr void clear() { *this = {}; }
 
+    /// Returns Max.
     static constexpr std::size_t max_size() { return Max; }
+    /// Returns the number of values.
     constexpr std::size_t size() const { return size_; }
+    /// Returns whether there are no values.
     constexpr bool empty() const { return size_ == 0; }
-    /// \pre i < size()
+    /// Returns a value. \pre i < size()
     constexpr const Value& operator[](std::size_t i) const { return values_[i]; }
+    /// Returns a value. \pre i < size()
     constexpr Value& operator[](std::size_t i) { return values_[i]; }
+    /// Returns the first value, or end().
     constexpr const Value* begin() const { return values_.data(); }
+    /// Returns the end of the values.
     constexpr const Value* end() const { return values_.data() + size_; }
+    /// Returns the first value, or end().
     constexpr Value* begin() { return values_.data(); }
+    /// Returns the end of the values.
     constexpr Value* end() { return values_.data() + size_; }
 
    private:

@@ -208,6 +208,7 @@ using SeaStateField = NumericField<SeaState>;
 
 /// Returns every numeric option, in the order of the struct.
 std::span<const SeaStateField> sea_state_fields();
+/// Returns every numeric option of a wave system, in the order of the struct.
 std::span<const NumericField<WaveSystem>> wave_system_fields();
 
 /// Returns an empty string for usable options of a system, else a message about the first invalid

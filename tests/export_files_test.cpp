@@ -26,7 +26,7 @@ namespace {
 
 using nlohmann::json;
 
-const SeaState small_sea{.resolution = 32, .patch_size_m = 250};
+const SeaState small_sea{.resolution = 32, .patch_size_m = 250, .loop_period_s = 200};
 
 /// Exports the small sea with additional flags. \pre the folder is empty
 Outcome export_small_sea(const std::filesystem::path& folder, const Arguments& flags) {

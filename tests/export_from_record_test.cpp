@@ -27,8 +27,7 @@ using Words = std::vector<std::string>;
 // Options that do not affect the content of files.
 const std::set<std::string> unrecorded = {"out",     "help",    "help-pixels", "resume",  "overwrite",
                                           "no-sync", "no-lock", "preview",     "threads", "isa",
-                                          "trace",   "shard",   "config",      "weather",
-                                          "system"};  // no sea has one yet
+                                          "trace",   "shard",   "config",      "weather"};
 
 /// A placeholder for the path of the events file beside the record.
 const std::string events_placeholder = "the events";
@@ -36,6 +35,9 @@ const std::string events_placeholder = "the events";
 // For each option that affects files, arguments that set it to a value other than the default.
 const std::map<std::string, Words> other_values = {
     {"start", {"--start", "-3.25"}},
+    {"system", {"--system", "height=1.2 period=12", "--system", "wind_speed=5"}},
+    {"regular", {"--regular", "height=1.5 period=7"}},
+    {"wind-alignment", {"--wind-alignment", "0.75", "--spreading", "paper"}},
     {"frames", {"--frames", "10-20,40", "--start-number", "4"}},
     {"start-number", {"--start-number", "7", "--frames", "3"}},
     {"fps", {"--fps", "29.97"}},

@@ -28,7 +28,7 @@ namespace pelagic {
 namespace {
 
 constexpr int exr_side = 128;
-const SeaState exr_sea{.cascades = 2, .resolution = exr_side, .wind_speed_mps = 20};
+const SeaState exr_sea{.cascades = 2, .resolution = exr_side, .wind_speed_mps = 20, .loop_period_s = 200};
 const std::vector<std::string> exr_maps = {"displacement", "gradient", "compression"};
 
 /// Exports frame 3 at 12 frames per second, with both cascades.

@@ -25,10 +25,10 @@ TEST(RegularCommand, SetsTheWaveAndALoopOfWholePeriods) {
     EXPECT_EQ(sea.at("regular_period_s"), 7);
     EXPECT_EQ(sea.at("wind_direction_deg"), 0);
     EXPECT_EQ(sea.at("order"), 2);
-    EXPECT_EQ(sea.at("loop_period_s"), 203);
+    EXPECT_EQ(sea.at("loop_period_s"), 3598);
     EXPECT_EQ(sea.at("cascades"), 1);
     EXPECT_EQ(sea_of({"--regular", "period=7", "--loop-period", "14"}).at("loop_period_s"), 14);
-    EXPECT_EQ(sea_of({"--waves", "regular", "--regular-period", "11"}).at("loop_period_s"), 198);
+    EXPECT_EQ(sea_of({"--waves", "regular", "--regular-period", "11"}).at("loop_period_s"), 3597);
 }
 
 TEST(RegularCommand, RejectsInvalidWaves) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -129,24 +130,30 @@ TEST(SteeredBoat, PathHardlyDependsOnTheFrameRate) {
     EXPECT_LT(glm::length(slow.boat.place_m() - fast.boat.place_m()), 0.1 * way);
 }
 
-// A boat under way at half thrust in a rough sea rolls by the waves of the wind, not by its own.
+// A boat under way at half thrust in a rough sea rolls by the waves of the wind, not by its own. The
+// wake slows the boat, which then meets other waves, so seeds are compared together.
 TEST(SteeredBoat, DoesNotRollInItsOwnWake) {
     SeaState sea = sea_preset_named("rough")->sea;
     sea.resolution = 64;
-    const auto largest_heel = [&](bool makes_waves) {
-        Voyage voyage(sea, makes_waves);
-        double least_upright = 1;
-        voyage.go(60, {.thrust = 0.5}, 1 / 30., [&](const Frame&) {
-            least_upright = std::min(least_upright, voyage.boat.world_from_boat()[1].y);
-        });
-        return std::acos(least_upright) * 180 / pi;
+    const auto largest_heels = [&](bool makes_waves) {
+        double sum = 0;
+        for (sea.seed = 1; sea.seed <= 4; ++sea.seed) {
+            Voyage voyage(sea, makes_waves);
+            double least_upright = 1;
+            voyage.go(60, {.thrust = 0.5}, 1 / 30., [&](const Frame&) {
+                least_upright = std::min(least_upright, voyage.boat.world_from_boat()[1].y);
+            });
+            std::printf("seed %u, %s: %.1f degrees\n", sea.seed, makes_waves ? "wake" : "no wake",
+                        std::acos(least_upright) * 180 / pi);
+            sum += std::acos(least_upright) * 180 / pi;
+        }
+        return sum / 4;
     };
-    const double without = largest_heel(false), with = largest_heel(true);
+    const double without = largest_heels(false), with = largest_heels(true);
     RecordProperty("heel_without_deg", std::to_string(without));
     RecordProperty("heel_with_deg", std::to_string(with));
     EXPECT_GT(without, 5);
-    // The wake slows the boat, which then meets other waves. A hull that slid down the wave ahead
-    // of its pressure rolled twice as far.
+    // A hull that slid down the wave ahead of its pressure rolled twice as far.
     EXPECT_LT(with, 1.25 * without);
 }
 

@@ -99,7 +99,7 @@ TEST(SystemOptions, OfATransitionAreTables) {
 
 TEST(SystemOptions, AreWrittenAsTheyAreRead) {
     for (const char* text :
-         {"height=1.2 period=12 spread=15", "spreading=donelan-banner direction=-123.456789",
+         {"height=1.2 period=12 spread=15", "spreading=hasselmann direction=-123.456789",
           "spectrum=phillips wind_speed=7.25 fetch=12345.678 peak_enhancement=1", "spectrum=jonswap"}) {
         const std::vector<WaveSystem> systems = parse_wave_systems({text});
         EXPECT_EQ(text_of(systems[0]), text);

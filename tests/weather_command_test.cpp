@@ -53,6 +53,7 @@ TEST_F(WeatherCommand, ExportHasTheFramesOfTheForecastAndItsRecordReproducesIt) 
     const nlohmann::json record = exported(file(calm_to_storm), "first");
     SeaState calm = sea_preset_named("calm")->sea, storm = sea_preset_named("storm")->sea;
     calm.resolution = storm.resolution = 32;
+    calm.loop_period_s = storm.loop_period_s = 200;  // of exports
     calm.seed = storm.seed = 3;
     SeaState turned = storm;
     turned.wind_direction_rad = 90 * (3.14159265358979323846 / 180);

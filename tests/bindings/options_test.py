@@ -62,7 +62,7 @@ text = "an enumeration of a record"
 """
 # What stands around the regions of a record, before a line of a file.
 AROUND_RECORD = (
-    ("sim/sea_state.hpp", "/// A wave system", """struct MadeUp {
+    ("sim/sea_state.hpp", "/// Waves of one origin", """struct MadeUp {
     // generated from schema/made_up.toml: members
     // end of generated
 };
@@ -129,7 +129,7 @@ class Schemas(unittest.TestCase):
             (r"options.py: sea.toml: fetch_m has the unknown unit km, accepted: m, s, .*\n", lambda text: text.replace('"fetch_m"\nunit = "m"', '"fetch_m"\nunit = "km"')),
             (r"options.py: sea.toml: fetch_m has the unit s, expected a name that ends in _s\n", lambda text: text.replace('"fetch_m"\nunit = "m"', '"fetch_m"\nunit = "s"')),
             (r"options.py: sea.toml: choppiness has the default 1.2, which is out of its range \[0, 1\]\n", lambda text: text.replace("default = 0.8", "default = 1.2")),
-            (r"options.py: sea.toml: spreading has the default round, expected one of paper, .*\n", lambda text: text.replace('default = "paper"', 'default = "round"')),
+            (r"options.py: sea.toml: spreading has the default round, expected one of paper, .*\n", lambda text: text.replace('default = "donelan-banner"', 'default = "round"')),
             (r"options.py: sea.toml: seed has the unknown key maximum, accepted: accepted, .*\n", lambda text: text.replace('name = "seed"\n', 'name = "seed"\nmaximum = 3\n')),
             (r"options.py: sea.toml: seed has the unknown type long, accepted: bool, .*\n", lambda text: text.replace('type = "uint32"', 'type = "long"')),
             (r"options.py: sea.toml: systems has no max\n", lambda text: text.replace("max = 8\n", "")),

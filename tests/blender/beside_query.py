@@ -40,7 +40,7 @@ def ask(pelagic, sea, time_s, points, *options):
 def hash_of(pelagic, sea, time_s):
     """Returns the frame's hash by `pelagic export`."""
     with tempfile.TemporaryDirectory() as folder:
-        run(pelagic, "export", "--out", folder, *sea, "--start", repr(time_s), "--frames", 1, "--maps", "displacement", "--half")
+        run(pelagic, "export", "--out", folder, *sea, *([] if "--loop-period" in sea else ["--loop-period", 3600]), "--start", repr(time_s), "--frames", 1, "--maps", "displacement", "--half")
         with open(folder + "/sea.json") as file:
             return json.load(file)["frames"][0]["hash"]
 

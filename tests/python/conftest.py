@@ -66,7 +66,7 @@ def golden_seas():
     seas = {"default": pelagic.Sea()}
     for spectrum in ("phillips-paper", "phillips", "pierson-moskowitz", "jonswap"):
         seas[f"{spectrum}-64"] = pelagic.Sea(**one_cascade, spectrum=spectrum)
-    for spreading in ("cosine-2s", "hasselmann", "donelan-banner"):
+    for spreading in ("paper", "cosine-2s", "hasselmann"):
         seas[f"spreading-{spreading}-64"] = pelagic.Sea(**one_cascade, spreading=spreading)
     seas["shallow-64"] = pelagic.Sea(**one_cascade, depth_m=8)
     seas["breaking-swell-64"] = pelagic.Sea(**one_cascade, depth_m=2, swell_height_m=1, swell_direction_rad=2)

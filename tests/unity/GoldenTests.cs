@@ -39,7 +39,7 @@ public static unsafe class GoldenTests
             ["jonswap-64"] = OneCascade(),
             ["spreading-cosine-2s-64"] = OneCascade(box => box.Sea.Spreading = Spreading.Cosine2s),
             ["spreading-hasselmann-64"] = OneCascade(box => box.Sea.Spreading = Spreading.Hasselmann),
-            ["spreading-donelan-banner-64"] = OneCascade(box => box.Sea.Spreading = Spreading.DonelanBanner),
+            ["spreading-paper-64"] = OneCascade(box => box.Sea.Spreading = Spreading.Paper),
             ["shallow-64"] = OneCascade(box => box.Sea.DepthM = 8),
             ["breaking-swell-64"] = OneCascade(box =>
             {

@@ -4,7 +4,7 @@
 const oneCascade = { resolution: 64, patchSizeM: 250 };
 const seas = { default: {} };
 for (const spectrum of ['phillips-paper', 'phillips', 'pierson-moskowitz', 'jonswap']) seas[`${spectrum}-64`] = { ...oneCascade, spectrum };
-for (const spreading of ['cosine-2s', 'hasselmann', 'donelan-banner']) seas[`spreading-${spreading}-64`] = { ...oneCascade, spreading };
+for (const spreading of ['paper', 'cosine-2s', 'hasselmann']) seas[`spreading-${spreading}-64`] = { ...oneCascade, spreading };
 seas['shallow-64'] = { ...oneCascade, depthM: 8 };
 seas['breaking-swell-64'] = { ...oneCascade, depthM: 2, swellHeightM: 1, swellDirectionRad: 2 };
 seas['analytic-64'] = { waves: 'analytic', resolution: 64, choppiness: 1 };

@@ -137,13 +137,10 @@ struct RecordOptions {
     }
 };
 
-/// Loop of a record that is longer than the sea's loop, unless --loop-period is given, in seconds.
-constexpr double record_loop_s = 3600;
-
 /// Makes the loop of the sea, with its transitions, long enough for a record.
 ResolvedSea without_repetition(ResolvedSea sea, const RecordOptions& record) {
     if (sea.has_loop_period || record.duration_s <= sea.sea.loop_period_s) return sea;
-    const double loop_s = std::max(record_loop_s, std::ceil(record.duration_s));
+    const double loop_s = std::ceil(record.duration_s);
     print_note("the loop period is " + number_text(loop_s) + " s");
     sea.sea.loop_period_s = loop_s;
     for (ResolvedChange& change : sea.changes) change.sea.sea.loop_period_s = loop_s;
