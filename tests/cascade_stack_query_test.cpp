@@ -95,7 +95,7 @@ TEST(CascadeStackQuery, ReturnsTheHighestOfSeveralSheets) {
         for (const double factor : {6.0, 12.0, 20.0}) {
             SCOPED_TRACE(std::to_string(cascades) + " cascades, " + std::to_string(factor) + " times as steep");
             const CascadeStack stack(exaggerated(CascadeStack::of_scales(cascades, 12, 1, 9, 32), factor), 2);
-            folded += expect_as_stack_oracle(stack.frame(), random_points(is_sanitized ? 5 : 300, 300, 6), true);
+            folded += expect_as_stack_oracle(stack.frame(), random_points(is_sanitized ? 15 : 300, 300, 6), true);
         }
     }
     EXPECT_GT(folded, is_sanitized ? 0u : 60u);
