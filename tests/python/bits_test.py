@@ -19,10 +19,9 @@ def test_frames_have_the_golden_hashes(options):
             for text, time_s in TIMES.items():
                 seen[f"{name}@{text}"] = ocean.frame_at(time_s).hash
     assert seen == {name: int(GOLDEN[name], 16) for name in seen}
-    # All hashes, except those of queries, of foam and of wave systems.
+    # All hashes, except those of queries and of foam.
     assert {name for name in GOLDEN if name not in seen} == {
-        "foam-folded", "foam-cascades", "queries-analytic", "queries-pond", "queries-folded", "queries-smooth", "queries-cascades",
-        "systems@0", "systems@12.34", "systems-64@0", "systems-64@12.34"}
+        "foam-folded", "foam-cascades", "queries-analytic", "queries-pond", "queries-folded", "queries-smooth", "queries-cascades"}
 
 
 def test_foam_has_the_golden_hash():

@@ -72,6 +72,11 @@ def golden_seas():
     seas["breaking-swell-64"] = pelagic.Sea(**one_cascade, depth_m=2, swell_height_m=1, swell_direction_rad=2)
     seas["analytic-64"] = pelagic.Sea(waves="analytic", resolution=64, choppiness=1)
     seas["pond-64"] = pelagic.Sea(waves="pond", resolution=64)
+    systems = (pelagic.WaveSystem(height_m=1.2, peak_period_s=12, direction_rad=2, spread_rad=0.26),
+               pelagic.WaveSystem(spreading="hasselmann", wind_speed_mps=8, fetch_m=30e3, direction_rad=-1),
+               pelagic.WaveSystem(spectrum="pierson-moskowitz", height_m=0.5))
+    seas["systems"] = pelagic.Sea(systems=systems)
+    seas["systems-64"] = pelagic.Sea(spectrum="none", resolution=64, patch_size_m=900, depth_m=20, systems=systems)
     seas["short-wave-cutoff-64"] = pelagic.Sea(**one_cascade, short_wave_cutoff=0.8)
     seas["none-64"] = pelagic.Sea(**one_cascade, spectrum="none", swell_height_m=2)
     seas["wind-sea-by-height"] = pelagic.Sea(wave_height_m=2, peak_period_s=7)

@@ -27,7 +27,7 @@ def test_a_sea_has_the_fields_and_defaults_of_the_library():
 
 def test_a_wave_system_has_the_defaults_of_the_library():
     here = {field.name: field.default for field in dataclasses.fields(pelagic.WaveSystem)}
-    assert (here.pop("spectrum"), here.pop("spreading")) == ("jonswap", "paper")
+    assert (here.pop("spectrum"), here.pop("spreading")) == ("jonswap", "donelan-banner")
     there = defaults_of_library(_native.pelagic_wave_system)
     assert here == {name: there[name] for name in here}
 
@@ -39,7 +39,7 @@ def test_the_systems_of_a_sea_are_any_sequence_of_at_most_eight():
     assert pelagic.Sea(systems=[]) == pelagic.Sea()
     for error, line, make in (
             (ValueError, "height_m -1 is out of range (0, 30], or 0: by the wind", lambda: pelagic.WaveSystem(height_m=-1)),
-            (ValueError, "spectrum is chop, expected phillips-paper, phillips, pierson-moskowitz or jonswap", lambda: pelagic.WaveSystem(spectrum="chop")),
+            (ValueError, "spectrum is chop, expected phillips-paper, phillips, pierson-moskowitz, jonswap or none", lambda: pelagic.WaveSystem(spectrum="chop")),
             (ValueError, "systems has 9 elements, expected 0 to 8", lambda: pelagic.Sea(systems=[system] * 9)),
             (TypeError, "systems is 3, expected a sequence of pelagic.WaveSystem", lambda: pelagic.Sea(systems=3)),
             (TypeError, "systems[1] is 3, expected a pelagic.WaveSystem", lambda: pelagic.Sea(systems=[system, 3]))):

@@ -144,6 +144,9 @@ public static unsafe class GoldenTests
         {
             var sea = Seas()[name];
             sea.Roughness = 0.1;
+            sea.Spreading = Spreading.Paper;
+            sea.Lean = 0;
+            sea.LoopPeriodS = 200;
             using (var ocean = new Ocean(sea))
                 foreach (var time in new[] { "0", "12.34" })
                 {

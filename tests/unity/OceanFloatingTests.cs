@@ -104,7 +104,7 @@ public static class OceanFloatingTests
         return view.HeightM[texel(-position.z) * view.Resolution + texel(position.x)];
     }
 
-    /// <summary>A box of 4 x 1 x 2 m in a calm sea, at rest in the hollow that its wake's pressure makes.</summary>
+    /// <summary>A box of 4 x 1 x 2 m on smooth water, at rest in the hollow that its wake's pressure makes.</summary>
     [Test]
     public static void AHullMakesAWakeInDynamicWaves()
     {
@@ -113,7 +113,7 @@ public static class OceanFloatingTests
         foreach (var frameS in new[] { 1 / 50.0, 1 / 144.0, 1 / 7.0 })
         {
             UnityEngine.Time.timeAsDouble = 0;
-            var behaviour = new OceanBehaviour { Preset = "calm", Resolution = 32, Foam = false, Velocities = true, DynamicWaves = true };
+            var behaviour = new OceanBehaviour { Preset = "beaufort-0", Resolution = 32, Foam = false, Velocities = true, DynamicWaves = true };
             var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg };
             floating.transform.forward = new Vector3(0, 0, 1);
             BehaviourTests.Send(behaviour, "OnEnable");

@@ -11,6 +11,13 @@ seas['analytic-64'] = { waves: 'analytic', resolution: 64, choppiness: 1 };
 seas['pond-64'] = { waves: 'pond', resolution: 64 };
 seas['none-64'] = { ...oneCascade, spectrum: 'none', swellHeightM: 2 };
 seas['wind-sea-by-height'] = { waveHeightM: 2, peakPeriodS: 7 };
+const systems = [
+  { heightM: 1.2, peakPeriodS: 12, directionRad: 2, spreadRad: 0.26 },
+  { spreading: 'hasselmann', windSpeedMps: 8, fetchM: 30e3, directionRad: -1 },
+  { spectrum: 'pierson-moskowitz', heightM: 0.5 },
+];
+seas.systems = { systems };
+seas['systems-64'] = { spectrum: 'none', resolution: 64, patchSizeM: 900, depthM: 20, systems };
 seas['short-wave-cutoff-64'] = { ...oneCascade, shortWaveCutoff: 0.8 };
 for (const preset of ['calm', 'moderate', 'rough', 'storm']) seas[`preset-${preset}`] = { preset };
 

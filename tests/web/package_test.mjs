@@ -121,7 +121,7 @@ test('an invalid value is rejected by one line that says what is accepted', asyn
     [{ systems: [3] }, 'systems[0] is 3, expected an object'],
     [{ systems: [{}, { heightM: -1 }] }, 'systems[1].heightM -1 is out of range (0, 30], or 0: by the wind'],
     [{ systems: [{ spectrum: 'jonswop' }] },
-      'systems[0].spectrum is "jonswop", expected phillips-paper, phillips, pierson-moskowitz or jonswap (the nearest is jonswap)'],
+      'systems[0].spectrum is "jonswop", expected phillips-paper, phillips, pierson-moskowitz, jonswap or none (the nearest is jonswap)'],
     [{ systems: [{ height: 1 }] }, 'there is no option systems[0].height, expected systems[0].heightM'],
     [{ systems: Array(9).fill({}) }, 'systems has 9 elements, expected 0 to 8'],
     [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, expected windSpeedMps'],

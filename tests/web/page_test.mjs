@@ -63,7 +63,8 @@ async function openLink(text) {
 /** Returns the hash of a frame, by the native command. */
 function nativeHash(timeS, ...flags) {
   const out = join(scratch, `native_${Math.random()}`);
-  execFileSync(pelagic, ['export', '--out', out, '--start', String(timeS), '--maps', 'displacement', ...flags]);
+  const loop = flags.includes('--loop-period') ? [] : ['--loop-period', '3600'];  // the page's
+  execFileSync(pelagic, ['export', '--out', out, '--start', String(timeS), '--maps', 'displacement', ...loop, ...flags]);
   return JSON.parse(readFileSync(join(out, 'sea.json'))).frames[0].hash;
 }
 

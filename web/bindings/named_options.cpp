@@ -67,8 +67,12 @@ WaveSystem wave_system_of(const std::string& name, const val& object) {
 
 std::vector<WaveSystem> wave_systems_of(const std::string& name, const val& list) {
     if (!list.isArray()) reject(name, list, "an array");
+    const int count = list["length"].as<int>();
+    if (count > static_cast<int>(max_wave_systems))
+        throw std::invalid_argument(name + " has " + number_text(count) + " elements, expected 0 to " +
+                                    number_text(max_wave_systems));
     std::vector<WaveSystem> systems;
-    for (int i = 0, count = list["length"].as<int>(); i < count; ++i)
+    for (int i = 0; i < count; ++i)
         systems.push_back(wave_system_of(name + "[" + number_text(i) + "]", list[i]));
     return systems;
 }
