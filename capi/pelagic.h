@@ -198,8 +198,8 @@ typedef struct pelagic_sea {
      * models use the wind, whose direction is that of their waves. */
     int32_t waves;
     int32_t spectrum; /* PELAGIC_SPECTRUM_...; wave spectrum */
-    /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper has paper, whatever this is by
-     * default. */
+    /* PELAGIC_SPREADING_...; directional spreading. The spectrum phillips-paper always has paper, and refuses
+     * cosine-2s and hasselmann. */
     int32_t spreading;
     /* Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m is set, the
      * resolution is 16 or the model has only one. More than one excludes patch_size_m. */

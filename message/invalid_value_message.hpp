@@ -43,15 +43,12 @@ std::string check_fields(const Options& options, const Fields& fields) {
     return {};
 }
 
-/// Checks a list of at most `max` records. Returns "systems has 9 elements, expected 0 to 8", or for
-/// the first invalid one "systems[1].height_m -1 is out of range [0, 30]", or an empty string.
+/// Checks a list of records. Returns for the first invalid one "systems[1].height_m -1 is out of
+/// range [0, 30]", or an empty string.
 /// \param name   name of the list
 /// \param check  returns a message about a record, or an empty string
 template <class Records, class Check>
-std::string check_records(std::string_view name, const Records& records, std::size_t max, const Check& check) {
-    if (records.size() > max)
-        return std::string(name) + " has " + number_text(records.size()) + " elements, expected 0 to " +
-               number_text(max);
+std::string check_records(std::string_view name, const Records& records, const Check& check) {
     for (std::size_t i = 0; i < records.size(); ++i)
         if (const std::string reason = check(records[i]); !reason.empty())
             return std::string(name) + "[" + number_text(i) + "]." + reason;

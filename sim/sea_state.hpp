@@ -62,9 +62,6 @@ struct EnumNames<SpreadingModel> {
 /// Number of cascades that holds the waves of a sea down to a length of about 0.1 m.
 inline constexpr int default_cascades = 4;
 
-/// Largest number of wave systems besides the wind sea and the swell.
-inline constexpr std::size_t max_wave_systems = 8;
-
 /// Waves of one origin, besides the wind sea and the swell: by a wind, as the wind sea is, or by
 /// height and period. Breaking and short_wave_cutoff of the sea affect it, too.
 /// wave_system_fields() lists the ranges.
@@ -105,7 +102,8 @@ struct SeaState {
     /// wave_height_m and systems. All models use the wind, whose direction is that of their waves.
     WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;  ///< wave spectrum
-    /// Directional spreading. The spectrum phillips-paper has paper, whatever this is by default.
+    /// Directional spreading. The spectrum phillips-paper always has paper, and refuses cosine-2s
+    /// and hasselmann.
     SpreadingModel spreading = SpreadingModel::donelan_banner;
     /// Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if
     /// patch_size_m is set, the resolution is 16 or the model has only one. More than one excludes
@@ -184,6 +182,9 @@ struct SeaState {
     FixedList<WaveSystem, 8> systems = {};
     // end of generated
 };
+
+/// Largest number of wave systems besides the wind sea and the swell.
+inline constexpr std::size_t max_wave_systems = decltype(SeaState::systems)::max_size();
 
 /// Return the option, or the value derived for 0. \pre check(sea) is empty
 int cascades_of(const SeaState& sea);

@@ -111,8 +111,8 @@ class Sea:
     spreading: str = "donelan-banner"
     """Directional spreading: "paper" (VR Ocean, by wind_alignment), "cosine-2s" (measured,
     Longuet-Higgins et al. 1963), "hasselmann" (measured, Hasselmann et al. 1980), "donelan-banner"
-    (measured, Donelan et al. 1985 and Banner 1990). The spectrum phillips-paper has paper, whatever
-    this is by default."""
+    (measured, Donelan et al. 1985 and Banner 1990). The spectrum phillips-paper always has paper,
+    and refuses cosine-2s and hasselmann."""
     cascades: int = 0
     """Number of cascades, each a band of wavelengths; 1, 2, 3 or 4. 0: four, or one if patch_size_m
     is set, the resolution is 16 or the model has only one. More than one excludes patch_size_m."""

@@ -8,7 +8,8 @@
 namespace pelagic {
 
 FoamFront foam_front(const SeaState& sea) {
-    constexpr double tangent = 0.17632698070846498, full_lean = 0.4;
+    constexpr double tangent = 0.17632698070846498;  // of 10 degrees
+    constexpr double full_lean = 0.4;
     const auto [sine, cosine] = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     const double front = tangent * std::min(lean_of(sea) / full_lean, 1.0);
     return {front * cosine, front * sine};

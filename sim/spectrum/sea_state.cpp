@@ -151,7 +151,7 @@ std::string check(const SeaState& sea) {
         return "spectrum is no known model";
     if (static_cast<std::size_t>(sea.spreading) >= names_of<SpreadingModel>().size())
         return "spreading is no known model";
-    if (const std::string reason = check_records("systems", sea.systems, 8, check_wave_system);
+    if (const std::string reason = check_records("systems", sea.systems, check_wave_system);
         !reason.empty())
         return reason;
     // end of generated

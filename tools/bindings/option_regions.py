@@ -200,7 +200,7 @@ def checks(schema):
                       f'    return "{option.name} is no known model";']
         if option.records:
             check = f"check_{cpp_reader(option.records).removesuffix('_of')}"
-            lines += [f'if (const std::string reason = check_records("{option.name}", {member}, {option.max}, {check});', "    !reason.empty())",
+            lines += [f'if (const std::string reason = check_records("{option.name}", {member}, {check});', "    !reason.empty())",
                       "    return reason;"]
     return lines
 

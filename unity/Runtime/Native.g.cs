@@ -198,8 +198,8 @@ namespace Pelagic
         /// <summary>Spectrum; wave spectrum</summary>
         public Spectrum Spectrum;
         /// <summary>
-        /// Spreading; directional spreading. The spectrum phillips-paper has paper, whatever this is by
-        /// default.
+        /// Spreading; directional spreading. The spectrum phillips-paper always has paper, and refuses
+        /// cosine-2s and hasselmann.
         /// </summary>
         public Spreading Spreading;
         /// <summary>

@@ -77,7 +77,7 @@ export interface SeaOptions {
    * Directional spreading. "paper": VR Ocean, by windAlignment. "cosine-2s": measured,
    * Longuet-Higgins et al. 1963. "hasselmann": measured, Hasselmann et al. 1980.
    * "donelan-banner": measured, Donelan et al. 1985 and Banner 1990. The spectrum phillips-paper
-   * has paper, whatever this is by default. Default "donelan-banner".
+   * always has paper, and refuses cosine-2s and hasselmann. Default "donelan-banner".
    */
   spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
   /**
