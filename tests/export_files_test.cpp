@@ -470,6 +470,8 @@ TEST(Info, BeginsWithASummaryOfFiveLines) {
     for (std::size_t i = 0; i < 5; ++i) EXPECT_NE(lines[i].find(parts[i]), std::string::npos) << lines[i];
     const std::string one = run_pelagic({"info", "--patch-size", "250", "--resolution", "32"}).out;
     EXPECT_NE(one.find("after 3600 s and after 250 m\n"), std::string::npos);
+    const std::string swell = run_pelagic({"info", "--spectrum", "none", "--system", "height=1 period=9"}).out;
+    EXPECT_NE(swell.find("Sea       no wind sea, wind "), std::string::npos) << swell;
     const std::string pond = run_pelagic({"info", "--preset", "pond"}).out;
     EXPECT_NE(pond.find("after 3600 s and after 7.2 m\n"), std::string::npos) << "six times 1.2 m, rounded";
 }

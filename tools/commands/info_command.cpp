@@ -268,10 +268,11 @@ void print_sea_summary(const Json& json) {
     const auto row = [](const char* name, const std::string& text) { std::printf("%-10s%s\n", name, text.c_str()); };
     const auto step = [](const Json& of) { return of.at("number").dump() + ", " + of.at("name").get<std::string>(); };
     const std::string preset = json.value("preset", ""), model = sea.at("waves");
+    const std::string waves_of = model == "spectrum" ? sea.at("spectrum").get<std::string>() : model;
     const Json& height = waves.at("significant_wave_height_m");
     const std::size_t cascades = waves.at("slope_variance").at("cascades").size();
     row("Sea", (preset.empty() ? "" : "preset " + preset + ", ") +
-                   (model == "spectrum" ? sea.at("spectrum").get<std::string>() : model) + ", wind " +
+                   (waves_of == "none" ? "no wind sea" : waves_of) + ", wind " +
                    number(sea.at("wind_speed_mps")) + " m/s towards " + number(sea.at("wind_direction_deg")) +
                    " degrees (Beaufort " + step(waves.at("beaufort")) + ")");
     const Json& measured = height.at("measured");
