@@ -146,6 +146,21 @@ TEST(Measure, HalvesAndTiffAndFramesWithoutALoopAgree) {
         << "the mean of heights beside the root of the mean of squares";
 }
 
+// Two systems of one direction, 1.5 and 1 m high, without a wind sea.
+TEST(Measure, PeaksOfSystemsAreSeparate) {
+    const TemporaryFolder folder;
+    export_to_measure(folder / "out", {"--spectrum", "none", "--system", "height=1.5 period=15 spread=20", "--system",
+                                       "height=1 period=7 spread=20", "--patch-size", "1500", "--resolution", "64",
+                                       "--loop-frames", "400"});
+    const json found = measured(folder / "out");
+    // As for the swell above, harmonics of the loop are 8 % apart at 15 s.
+    for (const char* part : {"system_1_peak_period_s", "system_2_peak_period_s", "peak_period_s"})
+        EXPECT_NEAR(figure(found, part) / figure(found, part, "realised"), 1, 0.12) << part;
+    EXPECT_NEAR(figure(found, "system_1_peak_period_s"), 15, 1.6);
+    EXPECT_NEAR(figure(found, "system_2_peak_period_s"), 7, 0.7);
+    EXPECT_EQ(figure(found, "peak_period_s"), figure(found, "system_1_peak_period_s"));
+}
+
 /// Returns an export whose images are replaced by those of one wave with wave numbers (m, n) that
 /// travels in their direction.
 struct OneWave {

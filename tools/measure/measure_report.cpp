@@ -33,37 +33,63 @@ Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json();
 }
 
-/// Peak periods of wind sea and swell (Young 1995); none for a component with no energy in the
-/// series.
-struct ComponentPeaks {
-    std::optional<double> wind_sea_s, swell_s;
+/// A wave system of the exported sea.
+struct NamedSystem {
+    std::string name;  ///< "wind_sea", "swell", "system_1"
+    SeaState alone;    ///< the sea without the other systems
+    SystemReport report;
 };
 
-/// Splits the measured density at each frequency in the ratio that wind sea and swell have in the
-/// model.
-ComponentPeaks component_peaks(const std::vector<SpectrumPoint>& found, const SeaState& sea) {
-    SeaState wind = sea;
-    wind.swell_height_m = 0;
+/// Returns the systems of a sea of several, else an empty list.
+std::vector<NamedSystem> systems_of(const SeaState& sea, const SeaReport& report) {
+    SeaState wind_sea = sea, others = sea;
+    wind_sea.swell_height_m = 0;
+    wind_sea.systems.clear();
+    others.spectrum = SpectrumModel::none;
+    SeaState swell = others;
+    swell.systems.clear();
+    others.swell_height_m = 0;
+    std::vector<NamedSystem> all;
+    if (report.wind_sea) all.push_back({"wind_sea", wind_sea, *report.wind_sea});
+    if (report.swell) all.push_back({"swell", swell, *report.swell});
+    for (std::size_t i = 0; i < report.systems.size(); ++i) {
+        others.systems = {sea.systems[i]};
+        all.push_back({"system_" + number_text(i + 1), others, report.systems[i]});
+    }
+    return all;
+}
+
+/// Peak period of a density by frequency (Young 1995).
+struct PeakSum {
+    double weight = 0, weighted = 0;
+    void add(double hertz, double density) {
+        const double fourth = (density * density) * (density * density);
+        weight += fourth;
+        weighted += fourth * hertz;
+    }
+    std::optional<double> period() const { return weighted > 0 ? std::optional(weight / weighted) : std::nullopt; }
+};
+
+/// Splits the measured density at each frequency in the ratio that the systems have in the model, and
+/// returns the peak period of each; none for a system with no energy in the series.
+std::vector<std::optional<double>> peaks_of_systems(const std::vector<SpectrumPoint>& found,
+                                                    const std::vector<NamedSystem>& systems) {
     std::vector<double> at;
     for (const SpectrumPoint& point : found) at.push_back(point.at);
-    const std::vector<double> all = model_by_frequency(sea, at), of_wind = model_by_frequency(wind, at);
-    struct {
-        double weight = 0, weighted = 0;
-        void add(double hertz, double density) {
-            const double fourth = (density * density) * (density * density);
-            weight += fourth;
-            weighted += fourth * hertz;
-        }
-        std::optional<double> period() const {
-            return weighted > 0 ? std::optional(weight / weighted) : std::nullopt;
-        }
-    } wind_sea, swell;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const double share = all[i] > 0 ? std::min(1.0, of_wind[i] / all[i]) : 0;
-        wind_sea.add(found[i].at, found[i].density * share);
-        swell.add(found[i].at, found[i].density * (1 - share));
+    std::vector<double> all(at.size());
+    std::vector<std::vector<double>> densities;
+    for (const NamedSystem& system : systems) {
+        const std::vector<double>& of_system = densities.emplace_back(model_by_frequency(system.alone, at));
+        for (std::size_t i = 0; i < at.size(); ++i) all[i] += of_system[i];
     }
-    return {wind_sea.period(), swell.period()};
+    std::vector<std::optional<double>> peaks;
+    for (const std::vector<double>& of_system : densities) {
+        PeakSum sum;
+        for (std::size_t i = 0; i < at.size(); ++i)
+            if (all[i] > 0) sum.add(at[i], found[i].density * (of_system[i] / all[i]));
+        peaks.push_back(sum.period());
+    }
+    return peaks;
 }
 
 /// Returns measured, realised and expected statistics. A realised value is null if it can be measured
@@ -92,17 +118,17 @@ Json wave_statistics_json(const MeasuredWaves& found, const SeaState& sea, const
         {"tm02_s", three(or_null(found.tm02_s), report.realised_periods.tm02_s, report.expected_periods.tm02_s)},
         {"zero_crossing_period_s", three(or_null(found.zero_crossing_period_s), report.realised_periods.tm02_s,
                                          report.expected_periods.tm02_s)}};
-    if (!report.wind_sea || !report.swell || !report.systems.empty()) return json;
-    const ComponentPeaks peaks = component_peaks(found.by_harmonic, sea);
-    const auto component = [&](const std::optional<double>& peak_s, const SystemReport& of) {
-        return three(or_null(peak_s), of.realised_peak_period_s.value_or(0), of.peak_period_s);
-    };
-    json["wind_sea_peak_period_s"] = component(peaks.wind_sea_s, *report.wind_sea);
-    json["swell_peak_period_s"] = component(peaks.swell_s, *report.swell);
-    // The peak of the sum may lie between the peaks of both components. Use the component that has
-    // the peak of the model.
-    const bool is_swells = report.realised_peak_period_s == report.swell->realised_peak_period_s;
-    json["peak_period_s"]["found"] = or_null(is_swells ? peaks.swell_s : peaks.wind_sea_s);
+    const std::vector<NamedSystem> systems = systems_of(sea, report);
+    const std::vector<std::optional<double>> peaks = peaks_of_systems(found.by_harmonic, systems);
+    for (std::size_t i = 0; i < systems.size(); ++i) {
+        const SystemReport& of = systems[i].report;
+        json[systems[i].name + "_peak_period_s"] =
+            three(or_null(peaks[i]), or_null(of.realised_peak_period_s), of.peak_period_s);
+        // The peak of the sum may lie between the peaks of two systems. Use the system that has the peak
+        // of the model.
+        if (report.realised_peak_period_s == of.realised_peak_period_s)
+            json["peak_period_s"]["found"] = or_null(peaks[i]);
+    }
     return json;
 }
 
