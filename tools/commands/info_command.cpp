@@ -185,11 +185,22 @@ void print_section(const char* title, const Json& values, int digits = 4) {
             for (const auto& [name, part] : value.items())
                 parts += (parts.empty() ? "" : ", ") +
                          (part.is_null() ? "not " + name : name + " " + printed_value(shown(key, part), digits));
-            std::printf("  %-28s%s\n", key.c_str(), parts.c_str());
+            std::printf("  %-26s  %s\n", key.c_str(), parts.c_str());
         } else {
-            std::printf("  %-28s%s\n", key.c_str(), printed_value(shown(key, value), digits).c_str());
+            std::printf("  %-26s  %s\n", key.c_str(), printed_value(shown(key, value), digits).c_str());
         }
     }
+}
+
+/// Returns the options that have an effect in a wave system.
+Json system_for_people(Json system) {
+    const bool is_by_height = system.at("height_m") > 0 || system.at("peak_period_s") > 0;
+    for (const char* of_wind : {"wind_speed_mps", "fetch_m"})
+        if (is_by_height) system.erase(of_wind);
+    for (const char* key : {"height_m", "peak_period_s", "spread_deg"})
+        if (system.at(key) == 0) system.erase(key);
+    if (system.contains("spread_deg")) system.erase("spreading");
+    return system;
 }
 
 /// Returns the options that have an effect in this sea, without values that select an automatic
@@ -210,7 +221,10 @@ Json sea_for_people(const Json& sea) {
     };
     Json rows = Json::object();
     for (const auto& [key, value] : sea.items())
-        if (counts(key))
+        if (key == "systems")
+            for (std::size_t i = 0; i < value.size(); ++i)
+                rows["system " + number_text(i + 1)] = system_for_people(value[i]);
+        else if (counts(key))
             rows[key] = (key == "roughness" || key == "lean") && value < 0 ? Json("from the wind") : value;
     return rows;
 }
