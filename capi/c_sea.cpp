@@ -45,6 +45,17 @@ pelagic_wave_system c_wave_system_of(const WaveSystem& from) {
     return to;
 }
 
+pelagic_system_statistics c_system_of(const SystemReport& of) {
+    return {.expected_wave_height_m = of.significant_wave_height_m,
+            .realised_wave_height_m = of.realised_significant_wave_height_m,
+            .expected_peak_period_s = of.peak_period_s,
+            .realised_peak_period_s = of.realised_peak_period_s.value_or(0),
+            .expected_direction_rad = of.expected_directions.mean_rad,
+            .realised_direction_rad = of.realised_directions.mean_rad,
+            .expected_spread_rad = of.expected_directions.spread_rad,
+            .realised_spread_rad = of.realised_directions.spread_rad};
+}
+
 pelagic_sea c_sea_of(const SeaState& from) {
     pelagic_sea to{};
     // generated from schema/sea.toml: c-writes
@@ -195,8 +206,6 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         const SeaState state = sea_of(sea);
         if (const std::string reason = check(state); !reason.empty()) reject(reason);
         const SeaReport report = report_on(state);
-        const SystemReport wind_sea = report.wind_sea.value_or(SystemReport{}),
-                           swell = report.swell.value_or(SystemReport{});
         pelagic_statistics all{};
         all.expected_wave_height_m = report.expected.significant_wave_height_m;
         all.realised_wave_height_m = report.realised_significant_wave_height_m;
@@ -219,12 +228,10 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         }
         all.expected_convergence_variance = report.expected_convergence_variance;
         all.realised_convergence_variance = report.realised_convergence_variance;
-        all.wind_sea_height_m = wind_sea.significant_wave_height_m;
-        all.wind_sea_peak_period_s = wind_sea.peak_period_s;
-        all.swell_height_m = swell.significant_wave_height_m;
-        all.swell_peak_period_s = swell.peak_period_s;
-        all.realised_wind_sea_peak_period_s = wind_sea.realised_peak_period_s.value_or(0);
-        all.realised_swell_peak_period_s = swell.realised_peak_period_s.value_or(0);
+        if (report.wind_sea) all.wind_sea = c_system_of(*report.wind_sea);
+        if (report.swell) all.swell = c_system_of(*report.swell);
+        std::transform(report.systems.begin(), report.systems.end(), all.systems, c_system_of);
+        all.system_count = static_cast<std::int32_t>(report.systems.size());
         all.effective_fetch_m = report.effective_fetch_m.value_or(0);
         all.repeats_after_m = repeat_length_m(state);
         out = all;

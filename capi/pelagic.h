@@ -288,6 +288,14 @@ PELAGIC_API pelagic_status pelagic_preset_at(int32_t index, const char** name, c
  * Errors: PELAGIC_INVALID_ARGUMENT if no ocean can be made of it; the message names the first invalid field. */
 PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
 
+/* One wave system: expected values and realised ones as in pelagic_statistics. All 0 if the sea lacks it. */
+typedef struct pelagic_system_statistics {
+    double expected_wave_height_m, realised_wave_height_m;
+    double expected_peak_period_s, realised_peak_period_s;
+    double expected_direction_rad, realised_direction_rad;
+    double expected_spread_rad, realised_spread_rad;
+} pelagic_system_statistics;
+
 /* Heights, periods and directions of a sea. Fields that begin with `expected` are means over all seeds, of the waves
  * that the cascades hold. Fields that begin with `realised` belong to the waves of this seed, as a mean over a loop.
  * A value that a sea does not have is 0. */
@@ -305,12 +313,11 @@ typedef struct pelagic_statistics {
     double expected_spread_rad, realised_spread_rad; /* directional spread; [0, sqrt(2)] */
     double slope_variance_along_wind, slope_variance_across_wind;         /* expected, of all cascades */
     double expected_convergence_variance, realised_convergence_variance; /* of Dx,x + Dz,z */
-    /* Of spectra with a swell: expected values, then realised ones. */
-    double wind_sea_height_m, wind_sea_peak_period_s;
-    double swell_height_m, swell_peak_period_s;
-    double realised_wind_sea_peak_period_s, realised_swell_peak_period_s;
+    /* Of a sea of several systems; systems are those of pelagic_sea. */
+    pelagic_system_statistics wind_sea, swell, systems[8];
     double effective_fetch_m; /* jonswap: the fetch that has an effect, at most 17,000 U10^2 / g */
     double repeats_after_m;   /* side of the coarsest cascade, the period of the longest waves */
+    int32_t system_count;     /* number of systems; 0 to 8 */
 } pelagic_statistics;
 
 /* Computes statistics of a sea that pelagic_sea_check() accepts, which takes as long as creating an ocean of it. */

@@ -131,10 +131,25 @@ TEST(CInterfaceInside, SlopesOfTheExampleInCAreThoseOfTheCppInterface) {
     }
 }
 
+void expect_equal(const pelagic_system_statistics& c, const SystemReport& cpp) {
+    EXPECT_EQ(c.expected_wave_height_m, cpp.significant_wave_height_m);
+    EXPECT_EQ(c.realised_wave_height_m, cpp.realised_significant_wave_height_m);
+    EXPECT_EQ(c.expected_peak_period_s, cpp.peak_period_s);
+    EXPECT_EQ(c.realised_peak_period_s, cpp.realised_peak_period_s.value());
+    EXPECT_EQ(c.expected_direction_rad, cpp.expected_directions.mean_rad);
+    EXPECT_EQ(c.realised_direction_rad, cpp.realised_directions.mean_rad);
+    EXPECT_EQ(c.expected_spread_rad, cpp.expected_directions.spread_rad);
+    EXPECT_EQ(c.realised_spread_rad, cpp.realised_directions.spread_rad);
+}
+
 TEST(CInterfaceInside, StatisticsEqualThoseOfTheCppInterface) {
     auto sea = pelagic_sea_make();
     ASSERT_EQ(pelagic_sea_preset("swell", &sea), PELAGIC_OK);
     sea.resolution = 64;
+    sea.systems[0] = pelagic_wave_system_make();
+    sea.systems[0].height_m = 0.5;
+    sea.systems[0].peak_period_s = 9;
+    sea.system_count = 1;
     pelagic_statistics of{};
     ASSERT_EQ(pelagic_sea_statistics(&sea, &of), PELAGIC_OK) << pelagic_last_error();
     const SeaState state = sea_of(&sea);
@@ -160,18 +175,21 @@ TEST(CInterfaceInside, StatisticsEqualThoseOfTheCppInterface) {
     EXPECT_EQ(of.slope_variance_across_wind, across);
     EXPECT_EQ(of.expected_convergence_variance, report.expected_convergence_variance);
     EXPECT_EQ(of.realised_convergence_variance, report.realised_convergence_variance);
-    EXPECT_EQ(of.wind_sea_height_m, report.wind_sea->significant_wave_height_m);
-    EXPECT_EQ(of.wind_sea_peak_period_s, report.wind_sea->peak_period_s);
-    EXPECT_EQ(of.swell_height_m, report.swell->significant_wave_height_m);
-    EXPECT_EQ(of.swell_peak_period_s, 12);
-    EXPECT_EQ(of.realised_wind_sea_peak_period_s, report.wind_sea->realised_peak_period_s.value());
-    EXPECT_EQ(of.realised_swell_peak_period_s, report.swell->realised_peak_period_s.value());
+    expect_equal(of.wind_sea, report.wind_sea.value());
+    expect_equal(of.swell, report.swell.value());
+    EXPECT_EQ(of.swell.expected_peak_period_s, 12);
+    ASSERT_EQ(report.systems.size(), 1u);
+    EXPECT_EQ(of.system_count, 1);
+    expect_equal(of.systems[0], report.systems[0]);
+    EXPECT_EQ(of.systems[0].expected_peak_period_s, 9);
+    EXPECT_EQ(of.systems[1].expected_peak_period_s, 0);
     EXPECT_EQ(of.effective_fetch_m, report.effective_fetch_m.value());
     EXPECT_EQ(of.repeats_after_m, repeat_length_m(state));
 
     ASSERT_EQ(pelagic_sea_preset("pond", &sea), PELAGIC_OK);
     ASSERT_EQ(pelagic_sea_statistics(&sea, &of), PELAGIC_OK) << pelagic_last_error();
-    EXPECT_EQ(of.swell_peak_period_s, 0);
+    EXPECT_EQ(of.swell.expected_peak_period_s, 0);
+    EXPECT_EQ(of.system_count, 0);
     EXPECT_EQ(of.effective_fetch_m, 0);
     EXPECT_GT(of.expected_tm02_s, 0);
 

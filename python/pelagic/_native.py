@@ -102,6 +102,19 @@ class pelagic_sea(ctypes.Structure):
     ]
 
 
+class pelagic_system_statistics(ctypes.Structure):
+    _fields_ = [
+        ("expected_wave_height_m", c_double),
+        ("realised_wave_height_m", c_double),
+        ("expected_peak_period_s", c_double),
+        ("realised_peak_period_s", c_double),
+        ("expected_direction_rad", c_double),
+        ("realised_direction_rad", c_double),
+        ("expected_spread_rad", c_double),
+        ("realised_spread_rad", c_double),
+    ]
+
+
 class pelagic_statistics(ctypes.Structure):
     _fields_ = [
         ("expected_wave_height_m", c_double),
@@ -122,14 +135,12 @@ class pelagic_statistics(ctypes.Structure):
         ("slope_variance_across_wind", c_double),
         ("expected_convergence_variance", c_double),
         ("realised_convergence_variance", c_double),
-        ("wind_sea_height_m", c_double),
-        ("wind_sea_peak_period_s", c_double),
-        ("swell_height_m", c_double),
-        ("swell_peak_period_s", c_double),
-        ("realised_wind_sea_peak_period_s", c_double),
-        ("realised_swell_peak_period_s", c_double),
+        ("wind_sea", pelagic_system_statistics),
+        ("swell", pelagic_system_statistics),
+        ("systems", pelagic_system_statistics * 8),
         ("effective_fetch_m", c_double),
         ("repeats_after_m", c_double),
+        ("system_count", c_int32),
     ]
 
 
@@ -674,6 +685,7 @@ class pelagic_bodies_options(ctypes.Structure):
 STRUCTS = [
     pelagic_wave_system,
     pelagic_sea,
+    pelagic_system_statistics,
     pelagic_statistics,
     pelagic_executor_options,
     pelagic_ocean_options,

@@ -329,6 +329,22 @@ namespace Pelagic
     }
 
     /// <summary>
+    /// One wave system: expected values and realised ones as in Statistics. All 0 if the sea lacks it.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct SystemStatistics
+    {
+        public double ExpectedWaveHeightM;
+        public double RealisedWaveHeightM;
+        public double ExpectedPeakPeriodS;
+        public double RealisedPeakPeriodS;
+        public double ExpectedDirectionRad;
+        public double RealisedDirectionRad;
+        public double ExpectedSpreadRad;
+        public double RealisedSpreadRad;
+    }
+
+    /// <summary>
     /// Heights, periods and directions of a sea. Fields that begin with `expected` are means over all seeds, of the waves
     /// that the cascades hold. Fields that begin with `realised` belong to the waves of this seed, as a mean over a loop.
     /// A value that a sea does not have is 0.
@@ -377,18 +393,34 @@ namespace Pelagic
         public double ExpectedConvergenceVariance;
         /// <summary>of Dx,x + Dz,z</summary>
         public double RealisedConvergenceVariance;
-        /// <summary>Of spectra with a swell: expected values, then realised ones.</summary>
-        public double WindSeaHeightM;
-        /// <summary>Of spectra with a swell: expected values, then realised ones.</summary>
-        public double WindSeaPeakPeriodS;
-        public double SwellHeightM;
-        public double SwellPeakPeriodS;
-        public double RealisedWindSeaPeakPeriodS;
-        public double RealisedSwellPeakPeriodS;
+        /// <summary>Of a sea of several systems; systems are those of Sea.</summary>
+        public SystemStatistics WindSea;
+        /// <summary>Of a sea of several systems; systems are those of Sea.</summary>
+        public SystemStatistics Swell;
+        internal SystemStatistics systems_0, systems_1, systems_2, systems_3, systems_4, systems_5, systems_6, systems_7;
+        /// <summary>Of a sea of several systems; systems are those of Sea.</summary>
+        public unsafe SystemStatistics[] Systems
+        {
+            get
+            {
+                var all = new SystemStatistics[system_count];
+                fixed (SystemStatistics* first = &systems_0)
+                    for (var i = 0; i < all.Length; ++i) all[i] = first[i];
+                return all;
+            }
+            set
+            {
+                if (value.Length > 8) throw new ArgumentException($"Systems has {value.Length} elements, expected 0 to 8");
+                system_count = value.Length;
+                fixed (SystemStatistics* first = &systems_0)
+                    for (var i = 0; i < 8; ++i) first[i] = i < value.Length ? value[i] : default(SystemStatistics);
+            }
+        }
         /// <summary>jonswap: the fetch that has an effect, at most 17,000 U10^2 / g</summary>
         public double EffectiveFetchM;
         /// <summary>side of the coarsest cascade, the period of the longest waves</summary>
         public double RepeatsAfterM;
+        internal int system_count;
     }
 
     /// <summary>
