@@ -149,7 +149,8 @@ enum {
     PELAGIC_SPECTRUM_PHILLIPS = 1,          /* Phillips' shape with a physical height */
     PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2, /* a fully developed sea; no fetch */
     PELAGIC_SPECTRUM_JONSWAP = 3,           /* a sea that grows with the fetch */
-    /* No wind sea: only the swell and systems; the wind still sets roughness, drift and foam. */
+    /* No wind sea: only the swell and systems; the wind still sets roughness, drift, and foam on waves that it
+     * can raise. */
     PELAGIC_SPECTRUM_NONE = 4
 };
 

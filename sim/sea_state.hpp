@@ -32,7 +32,8 @@ enum class SpectrumModel {
     pierson_moskowitz,
     /// A sea that grows with the fetch.
     jonswap,
-    /// No wind sea: only the swell and systems; the wind still sets roughness, drift and foam.
+    /// No wind sea: only the swell and systems; the wind still sets roughness, drift, and foam on
+    /// waves that it can raise.
     none,
 };
 template <>

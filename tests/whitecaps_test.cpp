@@ -28,6 +28,45 @@ TEST(Whitecaps, DoNotOccurWithoutFolds) {
     EXPECT_FALSE(unfolded.frame_at(0).cascades[0].makes_whitecaps());
 }
 
+// A swell of 11 s runs at 17 m/s, faster than 1.2 times the wind of 12 m/s.
+TEST(Whitecaps, OccurWhereTheWindRaisesWaves) {
+    const auto cover = [](const WaveSystem& system) {
+        return whitecap_cover(SeaState{.spectrum = SpectrumModel::none, .wind_speed_mps = 12, .systems = {system}});
+    };
+    const double of_wind = whitecap_cover(12);
+    EXPECT_EQ(cover({.height_m = 2, .peak_period_s = 11}), 0);
+    EXPECT_EQ(cover({.height_m = 2, .peak_period_s = 9}), of_wind);
+    EXPECT_EQ(cover({.height_m = 2, .peak_period_s = 9, .direction_rad = 2}), 0) << "against the wind";
+    EXPECT_EQ(cover({.height_m = 2}), of_wind);
+    EXPECT_EQ(cover({.wind_speed_mps = 9}), of_wind);
+    EXPECT_EQ(whitecap_cover(SeaState{.wind_speed_mps = 12, .systems = {{.peak_period_s = 20}}}), of_wind);
+    SeaState swell{.spectrum = SpectrumModel::none, .wind_speed_mps = 12, .swell_height_m = 3, .swell_period_s = 5};
+    EXPECT_EQ(whitecap_cover(swell), 0) << "waves of another wind";
+}
+
+// From a swell without whitecaps to a wind sea, foam needs a lower level in each frame.
+TEST(Whitecaps, AppearSteadilyAsAWindSeaReplacesASwell) {
+    const SeaState swell{.spectrum = SpectrumModel::none,
+                         .resolution = 32,
+                         .systems = {{.height_m = 2, .peak_period_s = 14, .spread_rad = 0.3}}};
+    Ocean ocean(swell, {.executor = make_serial_executor()});
+    EXPECT_FALSE(ocean.frame_at(0).cascades[0].makes_whitecaps());
+    SeaState wind = swell;
+    wind.spectrum = SpectrumModel::jonswap;
+    ocean.schedule_sea(wind, 1, 20);
+    ocean.complete_sea();
+    double level = SeaStatistics::no_foam_level;
+    for (double time_s = 1.25; time_s <= 21; time_s += 0.25) {
+        const SeaStatistics& now = ocean.frame_at(time_s).statistics;
+        EXPECT_LT(now.foam_level, level) << time_s;
+        if (time_s > 2) {
+            EXPECT_GT(now.foam_level, level - 0.2) << time_s;
+        }
+        level = now.foam_level;
+    }
+    EXPECT_NEAR(level, Ocean(wind, {.executor = make_serial_executor()}).frame_at(0).statistics.foam_level, 1e-9);
+}
+
 TEST(FrameStatistics, MatchTheSeaOnEveryInstructionSetAndAfterEveryChange) {
     const SeaState calm{.resolution = 64, .patch_size_m = 50, .wind_speed_mps = 3};
     const SeaState storm{.resolution = 64, .patch_size_m = 800, .wind_speed_mps = 20};

@@ -50,8 +50,8 @@ class WaveSystem:
     """Spectrum: jonswap, pierson-moskowitz or phillips: "phillips-paper" (scaled as in VR Ocean,
     without a swell), "phillips" (Phillips' shape with a physical height), "pierson-moskowitz" (a
     fully developed sea; no fetch), "jonswap" (a sea that grows with the fetch), "none" (no wind
-    sea: only the swell and systems; the wind still sets roughness, drift and foam). By height,
-    pierson-moskowitz is jonswap with gamma 1."""
+    sea: only the swell and systems; the wind still sets roughness, drift, and foam on waves that it
+    can raise). By height, pierson-moskowitz is jonswap with gamma 1."""
     spreading: str = "donelan-banner"
     """Directional spreading, where spread_rad is 0: "paper" (VR Ocean, by wind_alignment),
     "cosine-2s" (measured, Longuet-Higgins et al. 1963), "hasselmann" (measured, Hasselmann et al.
@@ -107,7 +107,7 @@ class Sea:
     """Wave spectrum: "phillips-paper" (scaled as in VR Ocean, without a swell), "phillips"
     (Phillips' shape with a physical height), "pierson-moskowitz" (a fully developed sea; no fetch),
     "jonswap" (a sea that grows with the fetch), "none" (no wind sea: only the swell and systems;
-    the wind still sets roughness, drift and foam)."""
+    the wind still sets roughness, drift, and foam on waves that it can raise)."""
     spreading: str = "donelan-banner"
     """Directional spreading: "paper" (VR Ocean, by wind_alignment), "cosine-2s" (measured,
     Longuet-Higgins et al. 1963), "hasselmann" (measured, Hasselmann et al. 1980), "donelan-banner"

@@ -113,6 +113,7 @@ Weather::Sums& Weather::Sums::operator+=(const Sums& other) {
     drift_z_mps += other.drift_z_mps;
     front_x += other.front_x;
     front_z += other.front_z;
+    whitecaps += other.whitecaps;
     const auto add = [](Compression& to, const Compression& more) {
         to.square += more.square;
         to.rate_square += more.rate_square;
@@ -136,6 +137,7 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
               .drift_z_mps = blend(&Sums::drift_z_mps),
               .front_x = blend(&Sums::front_x),
               .front_z = blend(&Sums::front_z),
+              .whitecaps = blend(&Sums::whitecaps),
               .compression = {},
               .compression_drop_x = blend(&Sums::compression_drop_x),
               .compression_drop_z = blend(&Sums::compression_drop_z),
@@ -163,6 +165,7 @@ Weather::Sums Weather::Sums::of(const LineStatistics& statistics, const CascadeG
             .drift_z_mps = stokes.across,
             .front_x = 0,
             .front_z = 0,
+            .whitecaps = 0,
             .compression = {},
             .compression_drop_x = 0,
             .compression_drop_z = 0,
@@ -241,7 +244,7 @@ double formula_cover_of_one_cascade(double cover, double fall) {
 
 void Weather::add_foam_statistics(const SeaState& sea, const Sums& sums, SeaStatistics& statistics) {
     const auto& [all, all_rates] = sums.compression;
-    const double cover = whitecap_cover(sea), tick_s = TickClock(sea.loop_period_s).tick_s();
+    const double cover = sums.whitecaps * whitecap_cover(sea.wind_speed_mps), tick_s = TickClock(sea.loop_period_s).tick_s();
     statistics.compression_deviation = sea.choppiness * std::sqrt(all);
     if (!(cover > 0 && statistics.compression_deviation >= min_compression_deviation)) return;
     FoamAccumulation::Contraction contraction = sums.contraction;
@@ -323,6 +326,7 @@ void Weather::adopt(Sources sources) {
     by_wind.drift_z_mps = wind.z_mps;
     by_wind.front_x = front.x;
     by_wind.front_z = front.z;
+    by_wind.whitecaps = has_whitecaps(baked) ? 1 : 0;
     sums += by_wind;
     const double usual_square = usual.x_mps * usual.x_mps + usual.z_mps * usual.z_mps;
     constexpr double no_drift_m2ps2 = 1e-12;

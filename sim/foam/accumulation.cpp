@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/sim/dispersion.hpp"
 #include "pelagic/sim/foam/tick_clock.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -49,9 +51,20 @@ double whitecap_cover(double wind_speed_mps) {
     return std::min(0.4, 3.84e-6 * det::pow(std::max(wind_speed_mps, min_wind_mps), 3.41));
 }
 
-double whitecap_cover(const SeaState& sea) {
-    return sea.waves == WaveModel::spectrum ? whitecap_cover(sea.wind_speed_mps) : 0;
+bool has_whitecaps(const SeaState& sea) {
+    if (sea.waves != WaveModel::spectrum) return false;
+    return sea.spectrum != SpectrumModel::none ||
+           std::any_of(sea.systems.begin(), sea.systems.end(), [&](const WaveSystem& system) {
+               if (!(system.peak_period_s > 0)) return true;  // by wind, or as high as by a wind
+               const double omega = two_pi / system.peak_period_s;
+               const double speed_mps = omega / wave_number(omega, sea.depth_m);
+               const double along =
+                   det::sine_cosine_of_turns((system.direction_rad - sea.wind_direction_rad) / two_pi).cosine;
+               return speed_mps < 1.2 * sea.wind_speed_mps * along;
+           });
 }
+
+double whitecap_cover(const SeaState& sea) { return has_whitecaps(sea) ? whitecap_cover(sea.wind_speed_mps) : 0; }
 
 FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s, double ramp)
     : ramp_(ramp),

@@ -47,8 +47,12 @@ namespace pelagic {
 /// Returns the fraction of the sea that whitecaps cover: 3.84e-6 U10^3.41, at most 0.4 (Monahan and
 /// O'Muircheartaigh 1980). \param wind_speed_mps  U10, m/s
 double whitecap_cover(double wind_speed_mps);
-/// Returns the whitecap cover of a sea. It is 0 for pond waves, and for analytic waves, whose
-/// steepness of at most 0.4 is below the breaking limit k A = 0.443 (Michell 1893).
+/// Returns whether the sea contains waves that its wind raises, and therefore whitecaps: a wind sea, or
+/// a system by wind, or one whose peak runs at less than 1.2 times the wind's component along it (the
+/// criterion of ECMWF's wave model for a wind sea). A swell alone does not break. No pond wave does,
+/// and no analytic wave: their steepness of at most 0.4 is below the limit k A = 0.443 (Michell 1893).
+bool has_whitecaps(const SeaState& sea);
+/// Returns the whitecap cover of a sea: that of its wind, or 0 if it has none.
 double whitecap_cover(const SeaState& sea);
 
 class FoamAccumulation {

@@ -40,7 +40,10 @@ namespace Pelagic
         PiersonMoskowitz = 2,
         /// <summary>a sea that grows with the fetch</summary>
         Jonswap = 3,
-        /// <summary>No wind sea: only the swell and systems; the wind still sets roughness, drift and foam.</summary>
+        /// <summary>
+        /// No wind sea: only the swell and systems; the wind still sets roughness, drift, and foam on waves that it
+        /// can raise.
+        /// </summary>
         None = 4,
     }
 

@@ -9,8 +9,8 @@ export interface WaveSystem {
    * Spectrum: jonswap, pierson-moskowitz or phillips. "phillips-paper": scaled as in VR Ocean,
    * without a swell. "phillips": Phillips' shape with a physical height. "pierson-moskowitz": a
    * fully developed sea; no fetch. "jonswap": a sea that grows with the fetch. "none": no wind
-   * sea: only the swell and systems; the wind still sets roughness, drift and foam. By height,
-   * pierson-moskowitz is jonswap with gamma 1. Default "jonswap".
+   * sea: only the swell and systems; the wind still sets roughness, drift, and foam on waves that
+   * it can raise. By height, pierson-moskowitz is jonswap with gamma 1. Default "jonswap".
    */
   spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap' | 'none';
   /**
@@ -70,7 +70,7 @@ export interface SeaOptions {
    * Wave spectrum. "phillips-paper": scaled as in VR Ocean, without a swell. "phillips":
    * Phillips' shape with a physical height. "pierson-moskowitz": a fully developed sea; no fetch.
    * "jonswap": a sea that grows with the fetch. "none": no wind sea: only the swell and systems;
-   * the wind still sets roughness, drift and foam. Default "jonswap".
+   * the wind still sets roughness, drift, and foam on waves that it can raise. Default "jonswap".
    */
   spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap' | 'none';
   /**

@@ -34,7 +34,7 @@ class PelagicOcean(bpy.types.PropertyGroup):
             ("phillips", "phillips", "Phillips' shape with a physical height", 1),
             ("pierson-moskowitz", "pierson-moskowitz", "A fully developed sea; no fetch", 2),
             ("jonswap", "jonswap", "A sea that grows with the fetch", 3),
-            ("none", "none", "No wind sea: only the swell and systems; the wind still sets roughness, drift and foam", 4)),
+            ("none", "none", "No wind sea: only the swell and systems; the wind still sets roughness, drift, and foam on waves that it can raise", 4)),
         description="Wave spectrum")
     spreading: EnumProperty(
         name="Spreading", update=changed,
