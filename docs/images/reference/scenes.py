@@ -22,8 +22,8 @@ def largest_difference(scene, region):
     """Returns the accepted difference of luminances, relative to the reference: 20 %, except for
     the remaining differences of README.md. There it is slightly more than measured."""
     left = {
-        ("sunrise_2m_into_sun", "far"): 0.22,
+        ("sunrise_2m_into_sun", "middle"): 0.28,
         ("sunrise_2m_into_sun", "horizon"): 0.4,
-        ("sunrise_2m_into_sun", "glitter"): 0.28,
+        ("sunrise_2m_into_sun", "glitter"): 0.35,
     }
     return left.get((scene, region), 0.2)
