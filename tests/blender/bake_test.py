@@ -2,6 +2,7 @@
 
 usage: blender -b -P bake_test.py -- PELAGIC FOLDER"""
 import json
+import math
 import os
 import subprocess
 import sys
@@ -36,6 +37,11 @@ bpy.ops.pelagic.add_ocean(preset="rough")
 ocean = bpy.context.object
 settings = ocean.pelagic
 settings.resolution, settings.size, settings.wind_speed = 48, 60, 13.7
+bpy.ops.pelagic.add_system()
+bpy.ops.pelagic.add_system()
+settings.systems[1].peak_period, settings.systems[1].direction = 9.7, math.radians(77.7)
+bpy.ops.pelagic.remove_system(index=0)
+assert [round(system.peak_period, 5) for system in settings.systems] == [9.7]
 assert (settings.bake_start, settings.bake_end) == (3, 8), "the scene's range"
 
 refused("//pelagic_bake/")  # the .blend has not been saved
@@ -99,7 +105,7 @@ record = json.loads(resumed["sea.json"])
 assert [each["frame"] for each in record["frames"]] == list(range(3, 9)) and record["frames"][1]["time_s"] == 3 / 25
 for each in record["frames"][::5]:
     assert hash_of(pelagic, ["--config", into / "sea.json"], each["time_s"]) == each["hash"]
-    assert hash_of(pelagic, ["--preset", "rough", "--wind-speed", "13.7"], each["time_s"]) == each["hash"]
+    assert hash_of(pelagic, ["--preset", "rough", "--wind-speed", "13.7", "--system", "height=1 period=9.7 direction=77.7"], each["time_s"]) == each["hash"]
 
 # The saved file plays without the add-on: bit-identical vertices, foam from its images.
 bpy.ops.wm.save_as_mainfile(filepath=blend)

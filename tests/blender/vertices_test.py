@@ -25,6 +25,10 @@ def add(preset, **settings):
     assert bpy.ops.pelagic.add_ocean(preset=preset) == {"FINISHED"}
     ocean = bpy.context.object
     ocean.pelagic.resolution = 64
+    for system in settings.pop("systems", []):
+        assert bpy.ops.pelagic.add_system() == {"FINISHED"}
+        for name, value in system.items():
+            setattr(ocean.pelagic.systems[-1], name, value)
     for name, value in settings.items():
         setattr(ocean.pelagic, name, value)
     assert not ocean.pelagic.error, ocean.pelagic.error
@@ -42,6 +46,10 @@ oceans = {
               "--loop-period 91.7 --spreading hasselmann".split(), {}),
     "one cascade": (add("rough", cascade_side=250, cascade_resolution="128", size=250, foam=False), "--preset rough --patch-size 250 --resolution 128".split(), {}),
     "elsewhere": (add("moderate", place=(123456.5, -9876.25), cascades=2), "--preset moderate --cascades 2".split(), {"place": (123456.5, -9876.25)}),
+    "systems": (add("calm", foam=False, systems=[{"height": 1.3, "peak_period": 9.7, "direction": math.radians(77), "spread": math.radians(15)},
+                                                 {"height": 0, "wind_speed": 7.7, "fetch": 54321, "spreading": "hasselmann"}]),
+                ["--preset", "calm", "--system", "height=1.3 period=9.7 direction=77 spread=15",
+                 "--system", "wind-speed=7.7 fetch=54321 spreading=hasselmann"], {}),
     "storm": (add("storm"), ["--preset", "storm"], {"folds": 0.01}),
     "analytic": (add("analytic-moderate", wave_strength=1.2, foam=False), "--preset analytic-moderate --wave-strength 1.2".split(), {}),
     "pond": (add("pond", size=3, foam=False), ["--preset", "pond"], {}),
@@ -88,7 +96,7 @@ scene.frame_set(34)
 compare(pelagic, ["--preset", "moderate"], 7.7 + 0.5, slow)
 
 # The frame's hash is the command line's: no typed option is rounded.
-for name in ("moderate", "typed", "one cascade"):
+for name in ("moderate", "typed", "one cascade", "systems"):
     ocean, sea, _ = oceans[name]
     ours = f"{sea_object.moved(ocean.pelagic, 12.25).frame.hash:016x}"
     assert ours == hash_of(pelagic, sea, 12.25), f"{name}: another hash than the command line's"

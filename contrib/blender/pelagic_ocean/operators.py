@@ -1,8 +1,8 @@
 """Operators: Add Ocean, presets, recordings, bakes."""
 import bpy
-from bpy.props import StringProperty
+from bpy.props import IntProperty, StringProperty
 
-from . import bake, library, material, recording, sea_object
+from . import bake, library, material, recording, sea_object, timeline
 
 
 class PELAGIC_OT_add_ocean(bpy.types.Operator):
@@ -28,7 +28,7 @@ class PELAGIC_OT_add_ocean(bpy.types.Operator):
         ocean.location = context.scene.cursor.location
         context.collection.objects.link(ocean)
         with sea_object.quiet():
-            take_preset(ocean.pelagic, self.preset)
+            sea_object.take_preset(ocean.pelagic, self.preset)
             ocean.pelagic.bake_start, ocean.pelagic.bake_end = context.scene.frame_start, context.scene.frame_end
             ocean.pelagic.is_ocean = True
         sea_object.update(ocean, context.scene, ocean.pelagic)
@@ -63,16 +63,34 @@ class PELAGIC_OT_preset(OnOcean, bpy.types.Operator):
             return {"CANCELLED"}
         settings = context.object.pelagic
         with sea_object.quiet():
-            take_preset(settings, self.preset)
+            sea_object.take_preset(settings, self.preset)
         settings.preset = self.preset  # updates the mesh once
         return {"FINISHED"}
 
 
-def take_preset(settings, name):
-    sea = library.pelagic.preset(name)
-    settings.preset = name
-    for setting in sea_object.SETTINGS:
-        setting.take(settings, sea)
+class PELAGIC_OT_add_system(OnOcean, bpy.types.Operator):
+    """Add a wave system to the sea"""
+    bl_idname = "pelagic.add_system"
+    bl_label = "Add System"
+
+    def execute(self, context):
+        settings = context.object.pelagic
+        settings.systems.add().height = 1  # updates the mesh
+        return {"FINISHED"}
+
+
+class PELAGIC_OT_remove_system(OnOcean, bpy.types.Operator):
+    """Remove this wave system from the sea"""
+    bl_idname = "pelagic.remove_system"
+    bl_label = "Remove System"
+
+    index: IntProperty(name="Index", min=0)
+
+    def execute(self, context):
+        object = context.object
+        object.pelagic.systems.remove(self.index)
+        timeline.settings_changed(object)
+        return {"FINISHED"}
 
 
 class PELAGIC_OT_record(OnOcean, bpy.types.Operator):
@@ -168,7 +186,8 @@ def add_menu(menu, context):
     menu.layout.operator(PELAGIC_OT_add_ocean.bl_idname, icon="MOD_OCEAN")
 
 
-classes = (PELAGIC_OT_add_ocean, PELAGIC_OT_preset, PELAGIC_OT_record, PELAGIC_OT_bake, PELAGIC_OT_go_live)
+classes = (PELAGIC_OT_add_ocean, PELAGIC_OT_preset, PELAGIC_OT_add_system, PELAGIC_OT_remove_system, PELAGIC_OT_record,
+           PELAGIC_OT_bake, PELAGIC_OT_go_live)
 
 
 def register():

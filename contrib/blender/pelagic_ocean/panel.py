@@ -68,8 +68,7 @@ class PELAGIC_PT_waves(OfOcean, bpy.types.Panel):
         draw_settings(layout, settings, "waves")
 
 
-class PELAGIC_PT_swell(OfOcean, bpy.types.Panel):
-    bl_label = "Swell"
+class OfSpectrum(OfOcean):
     bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
@@ -77,8 +76,25 @@ class PELAGIC_PT_swell(OfOcean, bpy.types.Panel):
         object = context.object
         return is_ocean(object) and sea_object.has_spectrum(library.pelagic.preset(object.pelagic.preset))
 
+
+class PELAGIC_PT_swell(OfSpectrum, bpy.types.Panel):
+    bl_label = "Swell"
+
     def draw(self, context):
         draw_settings(self.prepare(), context.object.pelagic, "swell")
+
+
+class PELAGIC_PT_systems(OfSpectrum, bpy.types.Panel):
+    bl_label = "Wave Systems"
+
+    def draw(self, context):
+        layout, systems = self.prepare(), context.object.pelagic.systems
+        for index, system in enumerate(systems):
+            box = layout.box()
+            for setting in sea_object.SYSTEM_SETTINGS:
+                box.prop(system, setting.name)
+            box.operator("pelagic.remove_system", icon="REMOVE").index = index
+        layout.operator("pelagic.add_system", icon="ADD")
 
 
 class PELAGIC_PT_spectrum(OfOcean, bpy.types.Panel):
@@ -144,7 +160,7 @@ def title(preset):
     return preset.replace("-", " ").title()
 
 
-classes = (PELAGIC_MT_presets, PELAGIC_PT_ocean, PELAGIC_PT_waves, PELAGIC_PT_swell, PELAGIC_PT_spectrum,
+classes = (PELAGIC_MT_presets, PELAGIC_PT_ocean, PELAGIC_PT_waves, PELAGIC_PT_swell, PELAGIC_PT_systems, PELAGIC_PT_spectrum,
            PELAGIC_PT_mesh, PELAGIC_PT_time, PELAGIC_PT_dynamic_waves, PELAGIC_PT_shore, PELAGIC_PT_bake)
 
 

@@ -109,19 +109,52 @@ SETTINGS = (
     # end of generated
 )
 
+SYSTEM_SETTINGS = (
+    # generated from schema/wave_system.toml: blender-settings
+    Setting("spectrum", "spectrum", "systems", ""),
+    Setting("spreading", "spreading", "systems", ""),
+    Setting("wind_speed", "wind_speed_mps", "systems", ""),
+    Setting("fetch", "fetch_m", "systems", ""),
+    Setting("height", "height_m", "systems", ""),
+    Setting("peak_period", "peak_period_s", "systems", ""),
+    Setting("peak_enhancement", "peak_enhancement", "systems", ""),
+    Setting("direction", "direction_rad", "systems", ""),
+    Setting("spread", "spread_rad", "systems", ""),
+    # end of generated
+)
+
+
+def take_preset(settings, name):
+    """Sets waves, swell, systems and cascades to those of a named sea."""
+    sea = library.pelagic.preset(name)
+    settings.preset = name
+    for setting in SETTINGS:
+        setting.take(settings, sea)
+    settings.systems.clear()
+    for system in sea.systems:
+        added = settings.systems.add()
+        for setting in SYSTEM_SETTINGS:
+            setting.take(added, system)
+
 
 def sea_of(settings):
     """Returns the preset's sea with the panel's options. Raises ValueError with one line."""
     sea = library.pelagic.preset(settings.preset)
-    return dataclasses.replace(sea, **{setting.field: setting.value_in(settings) for setting in SETTINGS if setting.is_of(sea)})
+    changes = {setting.field: setting.value_in(settings) for setting in SETTINGS if setting.is_of(sea)}
+    if has_spectrum(sea):
+        changes["systems"] = tuple(
+            library.pelagic.WaveSystem(**{setting.field: setting.value_in(system) for setting in SYSTEM_SETTINGS})
+            for system in settings.systems)
+    return dataclasses.replace(sea, **changes)
 
 
 def record_of(settings):
     """Returns the sea as in sea.json, for `pelagic query --config`: angles in degrees."""
     record = dataclasses.asdict(sea_of(settings))
-    del record["systems"]  # of which no setting has any
-    for name in [name for name in record if name.endswith("_rad")]:
-        record[name[:-len("rad")] + "deg"] = round(math.degrees(record.pop(name)), 4) + 0.0
+    record["systems"] = list(record["systems"])
+    for part in (record, *record["systems"]):
+        for name in [name for name in part if name.endswith("_rad")]:
+            part[name[:-len("rad")] + "deg"] = round(math.degrees(part.pop(name)), 4) + 0.0
     return record
 
 

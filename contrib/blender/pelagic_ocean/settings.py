@@ -2,7 +2,7 @@
 import math
 
 import bpy
-from bpy.props import (BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty,
+from bpy.props import (BoolProperty, CollectionProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty,
                        StringProperty)
 
 from . import timeline
@@ -17,6 +17,57 @@ def changed(settings, context):
 
 def is_floor(settings, object):
     return object.type == "MESH" and object != settings.id_data and not object.pelagic.is_ocean
+
+
+class PelagicSystem(bpy.types.PropertyGroup):
+    """A wave system of the sea."""
+    # generated from schema/wave_system.toml: blender-properties
+    spectrum: EnumProperty(
+        name="Spectrum", update=changed,
+        default="jonswap", items=(
+            ("phillips-paper", "phillips-paper", "Scaled as in VR Ocean, without a swell", 0),
+            ("phillips", "phillips", "Phillips' shape with a physical height", 1),
+            ("pierson-moskowitz", "pierson-moskowitz", "A fully developed sea; no fetch", 2),
+            ("jonswap", "jonswap", "A sea that grows with the fetch", 3),
+            ("none", "none", "No wind sea: only the swell and systems; the wind still sets roughness, drift, and foam on waves that it can raise", 4)),
+        description="Spectrum: jonswap, pierson-moskowitz or phillips")
+    spreading: EnumProperty(
+        name="Spreading", update=changed,
+        default="donelan-banner", items=(
+            ("paper", "paper", "VR Ocean, by wind_alignment", 0),
+            ("cosine-2s", "cosine-2s", "Measured, Longuet-Higgins et al. 1963", 1),
+            ("hasselmann", "hasselmann", "Measured, Hasselmann et al. 1980", 2),
+            ("donelan-banner", "donelan-banner", "Measured, Donelan et al. 1985 and Banner 1990", 3)),
+        description="Directional spreading, where Spread is 0")
+    wind_speed: FloatProperty(
+        name="Wind", update=changed,
+        default=12, min=0, max=60, unit="VELOCITY",
+        description="U10 of the wind of the system")
+    fetch: FloatProperty(
+        name="Fetch", update=changed,
+        default=100000, min=0, max=2000000, subtype="DISTANCE",
+        description="Distance that it has blown over water (jonswap)")
+    height: FloatProperty(
+        name="Height", update=changed,
+        default=0, min=0, max=30, subtype="DISTANCE",
+        description="Significant wave height, Hm0; 0: by the wind and Peak Period")
+    peak_period: FloatProperty(
+        name="Peak Period", update=changed,
+        default=0, min=0, max=40, unit="TIME_ABSOLUTE",
+        description="Peak period; 0: by the wind and Height")
+    peak_enhancement: FloatProperty(
+        name="Peak Enhancement", update=changed,
+        default=3.3, min=1, max=10,
+        description="Gamma, by which the spectrum is higher at its peak than a fully developed one (jonswap)")
+    direction: FloatProperty(
+        name="Runs Towards", update=changed,
+        default=0, min=-6.283185307, max=6.283185307, subtype="ANGLE",
+        description="Where the waves run towards, from +X clockwise seen from above")
+    spread: FloatProperty(
+        name="Spread", update=changed,
+        default=0, min=0, max=1.396263402, subtype="ANGLE",
+        description="Standard deviation of the directions; 0: by Spreading")
+    # end of generated
 
 
 class PelagicOcean(bpy.types.PropertyGroup):
@@ -130,6 +181,8 @@ class PelagicOcean(bpy.types.PropertyGroup):
                     "a pond; 0: from the wind, of analytic waves from Strength, of a pond 0.017 longest_wave_m")
     # end of generated
 
+    systems: CollectionProperty(type=PelagicSystem)
+
     size: FloatProperty(
         name="Size", default=100, min=0.01, max=1e5, soft_max=2000, subtype="DISTANCE", update=changed,
         description="Side of the undisplaced mesh")
@@ -192,6 +245,7 @@ class PelagicOcean(bpy.types.PropertyGroup):
 
 
 def register():
+    bpy.utils.register_class(PelagicSystem)
     bpy.utils.register_class(PelagicOcean)
     bpy.types.Object.pelagic = PointerProperty(type=PelagicOcean, name="Pelagic")
 
@@ -199,3 +253,4 @@ def register():
 def unregister():
     del bpy.types.Object.pelagic
     bpy.utils.unregister_class(PelagicOcean)
+    bpy.utils.unregister_class(PelagicSystem)
