@@ -160,6 +160,7 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     if (!afloat_.floats) return;
     const double weight_n = mass_kg_ * gravity_mps2;
     const double heave_n_per_m = options.water_density_kgpm3 * gravity_mps2 * afloat_.waterplane_m2;
+    heave_wave_number_ = heave_n_per_m / (mass_kg_ + added_mass_[1][1]) / gravity_mps2;
     strip_damping_ =
         2 * options.heave_damping * std::sqrt(heave_n_per_m * (mass_kg_ + added_mass_[1][1])) / afloat_.waterplane_m2;
     roll_damping_ = 2 * options.roll_damping *

@@ -19,7 +19,10 @@
 //               1977, chapters 4 and 7)
 //   drag        1/2 rho C S |w.n| w.n along -n, C for faces that advance and for faces that
 //               retreat; and 1/2 rho C_f S |w_t| w_t for the friction along a face
-//   radiation   linear damping of heave and pitch on strips across the length, and of roll
+//   radiation   linear damping of heave and pitch on strips across the length, and of roll. Of a hull
+//               whose top is s below the surface exp(-2 k s) remains, with k of the waves that it makes
+//               when it heaves afloat: by Haskind's relation, damping goes with the square of the
+//               waves' force (Newman, chapter 6)
 //   skeg        -1/2 rho S (1.56 |u| + 1.17 |v|) v across the hull, u and v the velocities ahead and
 //               across of the skeg: the lift of a fin whose aspect ratio with its mirror image is 1
 //               (L. F. Whicker and L. F. Fehlner, DTMB report 933, 1958), and the drag of a plate
@@ -287,8 +290,9 @@ class Hull {
     HullMatrix added_mass_{};
     HullAfloat afloat_;
     double floating_volume_m3_ = 0;
-    double strip_damping_ = 0;  // kg/s for a square metre of waterplane
-    double roll_damping_ = 0;   // kg m^2/s
+    double strip_damping_ = 0;      // kg/s for a square metre of waterplane
+    double roll_damping_ = 0;       // kg m^2/s
+    double heave_wave_number_ = 0;  // rad/m, of the waves that heave makes
 };
 
 }  // namespace pelagic

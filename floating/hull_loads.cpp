@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <limits>
 #include <span>
 
 #include "pelagic/floating/hull.hpp"
@@ -10,6 +11,7 @@
 #include "pelagic/floating/wet_surface.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -26,6 +28,13 @@ struct Loss {
         power_w += glm::dot(force_n, relative_mps);
     }
 };
+
+/// Returns the depth of the highest vertex below the surface, 0 if a vertex is above it.
+double submergence_m(std::span<const HullVertex> vertices) {
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const HullVertex& vertex : vertices) least_m = std::min(least_m, vertex.depth_m);
+    return std::max(least_m, 0.0);
+}
 
 /// The plane through the water's heights and vertical velocities at the vertices, by least squares.
 struct MeanWater {
@@ -177,6 +186,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     loads.water_rotation_radps = {-mean.gradient_z, 0, mean.gradient_x};
     loads.water_acceleration_mps2 = water_acceleration(mean, state, step_s);
 
+    const double radiates = det::exp(-2 * heave_wave_number_ * submergence_m(vertices));
     Hydrostatics wet;
     Loss drag, advancing;
     const double half_water = 0.5 * options_.water_density_kgpm3, half_air = 0.5 * options_.air_density_kgpm3;
@@ -199,7 +209,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
         // A strip across the length does not take part in roll.
         const glm::dvec3 on_axis = glm::dot(arm, axes[0]) * axes[0];
         const double rise = relative.y - glm::cross(state.angular_velocity_radps, arm - on_axis).y;
-        drag.add(on_axis, {0, strip_damping_ * area.y * rise, 0}, {0, rise, 0});
+        drag.add(on_axis, {0, radiates * strip_damping_ * area.y * rise, 0}, {0, rise, 0});
     };
     const auto add_dry = [&](const HullTriangle& triangle) {
         const glm::dvec3 area = triangle.area_m2(), arm = triangle.centre_m();
@@ -228,7 +238,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     loads.displaced_m3 = wet.force_m3.y;
     loads.submersion = std::clamp(loads.displaced_m3 / floating_volume_m3_, 0.0, 1.0);
     const double roll = glm::dot(state.angular_velocity_radps - loads.water_rotation_radps, axes[0]);
-    const double roll_nm = -roll_damping_ * loads.submersion * roll;
+    const double roll_nm = -radiates * roll_damping_ * loads.submersion * roll;
     drag.force.torque_nm += roll_nm * axes[0];
     drag.power_w += roll_nm * roll;
 

@@ -192,6 +192,27 @@ TEST(Hull, TerminalSpeedsBalanceDrag) {
                 0.02);
 }
 
+// Deep under water nothing but drag opposes 5 % of buoyancy: 0.7 of the front and 0.35 of the back, and
+// the friction of the sides.
+TEST(Hull, RisesFromTheDepthAsFastAsDragAllows) {
+    const Hull hull(box_mesh({2, 2, 2}), {.mass_kg = 0.95 * water_kgpm3 * 8});
+    const StillWater water;
+    HullWorkspace workspace;
+    HullState state = hull.at_rest(0, 0);
+    state.position_m.y = -40;
+    for (double t = 0; t < 15; t += hull_step_s) hull.step(water.query(), state, hull_step_s, {}, workspace);
+    EXPECT_LT(state.position_m.y, -15);
+    EXPECT_NEAR(state.velocity_mps.y, std::sqrt(2 * 0.05 * 8 * gravity_mps2 / (1.05 * 4 + 4e-3 * 16)), 0.005);
+    // Waves that it makes at the surface brake it there.
+    double fastest_mps = 0;
+    for (double t = 0; t < 60; t += hull_step_s) {
+        hull.step(water.query(), state, hull_step_s, {}, workspace);
+        fastest_mps = std::max(fastest_mps, state.velocity_mps.y);
+    }
+    EXPECT_LT(fastest_mps, 1.37);
+    EXPECT_NEAR(state.position_m.y, hull.at_rest(0, 0).position_m.y, 0.02);
+}
+
 TEST(Hull, MechanicalEnergyFallsEachStep) {
     const glm::dvec3 size(4, 1, 2);
     const double mass = 0.4 * water_kgpm3 * 8;
