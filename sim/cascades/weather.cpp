@@ -244,7 +244,8 @@ double formula_cover_of_one_cascade(double cover, double fall) {
 
 void Weather::add_foam_statistics(const SeaState& sea, const Sums& sums, SeaStatistics& statistics) {
     const auto& [all, all_rates] = sums.compression;
-    const double cover = sums.whitecaps * whitecap_cover(sea.wind_speed_mps), tick_s = TickClock(sea.loop_period_s).tick_s();
+    const double cover = sums.whitecaps * whitecap_cover(sea.wind_speed_mps);
+    const double tick_s = TickClock(sea.loop_period_s).tick_s();
     statistics.compression_deviation = sea.choppiness * std::sqrt(all);
     if (!(cover > 0 && statistics.compression_deviation >= min_compression_deviation)) return;
     FoamAccumulation::Contraction contraction = sums.contraction;
