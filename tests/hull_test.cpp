@@ -203,7 +203,7 @@ TEST(Hull, RisesFromTheDepthAsFastAsDragAllows) {
     for (double t = 0; t < 15; t += hull_step_s) hull.step(water.query(), state, hull_step_s, {}, workspace);
     EXPECT_LT(state.position_m.y, -15);
     EXPECT_NEAR(state.velocity_mps.y, std::sqrt(2 * 0.05 * 8 * gravity_mps2 / (1.05 * 4 + 4e-3 * 16)), 0.005);
-    // Waves that it makes at the surface brake it there.
+    // It is never faster, and comes to rest afloat.
     double fastest_mps = 0;
     for (double t = 0; t < 60; t += hull_step_s) {
         hull.step(water.query(), state, hull_step_s, {}, workspace);

@@ -84,7 +84,7 @@ class Weather {
         SlopeMoments slopes;                      ///< in the world's axes
         double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
         double front_x = 0, front_z = 0;          ///< foam_front()
-        double whitecaps = 0;                     ///< 1 with whitecaps, else 0
+        double whitecaps = 0;                     ///< 1 if has_whitecaps(), else 0
         /// Mean squares of the weighted compression at choppiness 1, and of its rate of change.
         struct Compression {
             double square = 0, rate_square = 0;

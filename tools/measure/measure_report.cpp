@@ -40,7 +40,7 @@ struct NamedSystem {
     SystemReport report;
 };
 
-/// Returns the systems of a sea of several, else an empty list.
+/// Returns the systems of which the report has statistics.
 std::vector<NamedSystem> systems_of(const SeaState& sea, const SeaReport& report) {
     SeaState wind_sea = sea, others = sea;
     wind_sea.swell_height_m = 0;

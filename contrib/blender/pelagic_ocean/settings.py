@@ -2,8 +2,8 @@
 import math
 
 import bpy
-from bpy.props import (BoolProperty, CollectionProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty,
-                       StringProperty)
+from bpy.props import (BoolProperty, CollectionProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty,
+                       PointerProperty, StringProperty)
 
 from . import timeline
 
@@ -41,11 +41,11 @@ class PelagicSystem(bpy.types.PropertyGroup):
         description="Directional spreading, where Spread is 0")
     wind_speed: FloatProperty(
         name="Wind", update=changed,
-        default=12, min=0, max=60, unit="VELOCITY",
+        default=12, min=0.1, max=60, unit="VELOCITY",
         description="U10 of the wind of the system")
     fetch: FloatProperty(
         name="Fetch", update=changed,
-        default=100000, min=0, max=2000000, subtype="DISTANCE",
+        default=100000, min=1, max=2000000, subtype="DISTANCE",
         description="Distance that it has blown over water (jonswap)")
     height: FloatProperty(
         name="Height", update=changed,
