@@ -1,0 +1,43 @@
+// The motion of the water at any position and depth, by linear theory (Airy):
+//
+//   head        h(q, s) = sum a cosh k (d - s) / cosh k d cos(phase), s the depth of the water there
+//   pressure    rho g (h - y), 0 at the surface
+//   velocity    along a wave a omega cosh k (d - s) / sinh k d cos(phase), upwards a omega sinh k (d - s) /
+//               sinh k d sin(phase): the water's own, not scaled by choppiness
+//   acceleration  -grad(h) g, horizontally and upwards
+//
+// The depth s is that of Wheeler's stretching (J. D. Wheeler, J. Petroleum Technology, 1970): a point
+// at y under a surface at the height e has s = d (e - y) / (d + e), in deep water e - y.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace pelagic {
+
+/// Positions in the world, in metres: y is up, and 0 is the mean level of the sea.
+struct WaterPoints {
+    std::span<const double> x, y, z;  ///< equally long
+};
+
+/// Arrays that receive the results. Each span is as long as the points, or empty to leave that
+/// result out. No span may overlap another or the points. A position without a sample
+/// (SurfacePoints) has the quiet NaN 0x7fc00000. Above the surface, pressure, velocity and acceleration are 0.
+struct WaterSamples {
+    std::span<float> depth_m = {};      ///< below the surface above the point; negative in the air
+    std::span<float> pressure_pa = {};  ///< above that of the air
+    std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};
+    std::span<float> acceleration_x_mps2 = {}, acceleration_y_mps2 = {}, acceleration_z_mps2 = {};
+};
+
+/// Water at one moment: of a frame (WaterQuery), or the exact sum of waves (ExactWater).
+class WaterKinematics {
+   public:
+    virtual ~WaterKinematics() = default;
+
+    /// Samples the water at the points. Thread-safe.
+    /// \throws std::invalid_argument  before it writes, for spans of another length than the points
+    virtual void sample(const WaterPoints& points, const WaterSamples& samples) const = 0;
+};
+
+}  // namespace pelagic
