@@ -171,7 +171,7 @@ void measure_server(Isa isa, int threads) {
 /// points of each of 1,000 boats.
 void measure_queries(Isa isa, int threads) {
     const auto executor = executor_of(threads);
-    Ocean ocean(SeaState{}, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
+    Ocean ocean(SeaState{}, {.executor = executor, .isa = isa, .queries = true, .velocities = Velocities::drawn});
     SurfaceQueryJobs jobs(executor);
     constexpr std::size_t count = 12 * 1000;
     std::vector<double> x(count), z(count), ticks;

@@ -27,7 +27,7 @@ double ms_of(Work work) {
 
 void measure(Isa isa, int threads) {
     const auto executor = make_thread_executor(threads);
-    Ocean ocean(SeaState{}, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
+    Ocean ocean(SeaState{}, {.executor = executor, .isa = isa, .queries = true, .depth = true});
     const Hull hull(boat_mesh(6, 2, 1.2), {.mass_kg = 3500});
     FloatingBodies bodies(executor);
     for (int i = 0; i < count; ++i) bodies.add(hull, hull.at_rest(i % 32 * 25.0, i / 32 * 25.0, 0.1 * i));

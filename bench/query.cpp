@@ -32,7 +32,7 @@ SeaState several_cascades(int cascades) { return {.cascades = cascades, .resolut
 struct Scene {
     Scene(int resolution, Isa isa, bool coherent) : Scene(one_cascade(resolution), isa, coherent) {}
     Scene(const SeaState& sea, Isa isa, bool coherent)
-        : ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true}),
+        : ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = Velocities::drawn}),
           frame(ocean.frame_at(1)),
           query(frame),
           x(count),
@@ -127,8 +127,8 @@ void time_ray(benchmark::State& state, const SeaState& sea, Isa isa) {
 }
 
 /// Times frames with data for queries, for comparison with the results of stages.cpp.
-void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool queries, bool velocities) {
-    Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
+void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool queries, Velocities velocities, bool depth) {
+    Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities, .depth = depth});
     double time_s = 0;
     for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).cascades[0].height.data);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ocean.cascade_count()) *
@@ -152,14 +152,16 @@ void register_queries(const SeaState& sea, const std::string& size) {
             add("cubic/height+normal+velocity", {true, true, Interpolation::cubic});
         }
         const std::string suffix = "/" + std::string(name_of(isa)) + "/" + size;
-        const auto add_frame = [&](const char* what, bool queries, bool velocities) {
-            RegisterBenchmark((what + suffix).c_str(), time_frame, sea, isa, queries, velocities)
+        const auto add_frame = [&](const char* what, bool queries, Velocities velocities, bool depth = false) {
+            RegisterBenchmark((what + suffix).c_str(), time_frame, sea, isa, queries, velocities, depth)
                 ->Unit(benchmark::kMicrosecond);
         };
         RegisterBenchmark(("ray" + suffix).c_str(), time_ray, sea, isa)->Unit(benchmark::kMicrosecond);
-        add_frame("frame", false, false);
-        add_frame("frame+queries", true, false);
-        add_frame("frame+queries+velocities", true, true);
+        add_frame("frame", false, Velocities::none);
+        add_frame("frame+queries", true, Velocities::none);
+        add_frame("frame+queries+velocities", true, Velocities::drawn);
+        add_frame("frame+queries+water", true, Velocities::water);
+        add_frame("frame+queries+depth", true, Velocities::none, true);
     }
 }
 

@@ -38,8 +38,8 @@ pelagic_status pelagic_bodies_create(pelagic_ocean* ocean, const pelagic_bodies_
         out = nullptr;
         const pelagic_bodies_options from = options ? read_struct(options, "options") : pelagic_bodies_options_make();
         const pelagic_ocean& of = needed(ocean, "ocean");
-        if (const FrameContents& contents = of.ocean.contents(); !contents.queries || !contents.velocities)
-            reject("bodies need queries and velocities, which the ocean was created without");
+        if (const FrameContents& contents = of.ocean.contents(); !contents.queries || !contents.depth)
+            reject("bodies need queries and depth, which the ocean was created without");
         // throws without dynamic waves
         DynamicWaves* const waves = from.wakes != 0 ? &ocean->ocean.dynamic_waves() : nullptr;
         out = new pelagic_bodies{

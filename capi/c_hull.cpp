@@ -48,7 +48,7 @@ void compute(pelagic_hull* hull, const pelagic_ocean* ocean, pelagic_hull_state*
              const pelagic_hull_inputs* inputs, pelagic_hull_loads* loads, bool accelerates) {
     const Hull& ours = needed(hull, "hull").hull;
     const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
-    const SurfaceQuery& water = needed_query(*ocean, reader);
+    const WaterQuery water(needed_query(*ocean, reader).frame());
     HullState moved = hull_state_of(state, "state");
     const HullInputs acting = inputs ? hull_inputs_of(inputs, "inputs") : HullInputs{};
     const HullLoads result = ours.loads(water, moved, step_s, acting, hull->workspace);
@@ -92,8 +92,6 @@ HullState hull_state_of(const pelagic_hull_state* state, const char* name) {
             .orientation = glm::dquat(q[3], q[0], q[1], q[2]),
             .velocity_mps = vector_of(from.velocity_mps),
             .angular_velocity_radps = vector_of(from.angular_velocity_radps),
-            .water_velocity_y_mps = from.water_velocity_y_mps,
-            .water_rotation_radps = vector_of(from.water_rotation_radps),
             .submersion = from.submersion,
             .has_previous_step = from.has_previous_step != 0};
 }
@@ -113,8 +111,6 @@ pelagic_hull_state c_hull_state_of(const HullState& state) {
     out.orientation[3] = state.orientation.w;
     write(state.velocity_mps, out.velocity_mps);
     write(state.angular_velocity_radps, out.angular_velocity_radps);
-    out.water_velocity_y_mps = state.water_velocity_y_mps;
-    write(state.water_rotation_radps, out.water_rotation_radps);
     out.submersion = state.submersion;
     out.has_previous_step = state.has_previous_step;
     return out;

@@ -310,9 +310,10 @@ OceanOptions ocean_options_of(const pelagic_ocean_options& from) {
     OceanOptions to;
     // generated from schema/ocean.toml: c-reads
     to.queries = from.queries != 0;
-    to.velocities = from.velocities != 0;
+    to.depth = from.depth != 0;
     to.foam = from.foam != 0;
     // end of generated
+    to.velocities = enum_of<Velocities>(from.velocities, "", "velocities", "one of PELAGIC_VELOCITIES_...");
     to.planes = from.textures_only == 0;
     to.gradients = textures_of("gradients", from.gradients);
     to.slopes = textures_of("slopes", from.slopes);

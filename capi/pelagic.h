@@ -403,6 +403,8 @@ typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t a
 /* Textures that each cascade has or not. DEFAULT depends on the sea and the other options. */
 /* generated from schema/ocean.toml: c-enumerations */
 enum { PELAGIC_TEXTURES_DEFAULT = 0, PELAGIC_TEXTURES_ON = 1, PELAGIC_TEXTURES_OFF = 2 };
+
+enum { PELAGIC_VELOCITIES_NONE = 0, PELAGIC_VELOCITIES_DRAWN = 1, PELAGIC_VELOCITIES_WATER = 2 };
 /* end of generated */
 
 /* generated from schema/ocean.toml: c-struct */
@@ -410,9 +412,14 @@ typedef struct pelagic_ocean_options {
     uint32_t struct_size;
     /* Nonzero enables pelagic_ocean_query and _first_hit; N^2 / 8 bytes for each cascade of a frame. */
     int32_t queries;
-    /* Nonzero adds velocities to frames and queries. 12 N^2 bytes for each cascade of a frame, and about twice as
-     * many transforms. */
+    /* PELAGIC_VELOCITIES_...; velocities of frames and queries. Drawn: the derivatives of the drawn displacement
+     * in time, in planes of 12 N^2 bytes for each cascade of a frame, with about twice as many transforms. Water:
+     * the water's own at the surface by linear theory, for queries, with a quarter of the transforms more; waves
+     * shorter than six texels are left out. */
     int32_t velocities;
+    /* Nonzero adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade of a
+     * frame, and about two thirds more transforms. It does not combine with waves pond. */
+    int32_t depth;
     /* PELAGIC_TEXTURES_...; gradients of each cascade: normals, Jacobian and smoothness. By default a sea with
      * cascades 1 has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off. */
     int32_t gradients;
@@ -524,7 +531,7 @@ typedef struct pelagic_frame {
     double time_s;
     double patch_size_m; /* L, the first cascade's side */
     pelagic_plane dx, height, dz;
-    pelagic_plane velocity_x, velocity_y, velocity_z; /* in m/s; with pelagic_ocean_options.velocities */
+    pelagic_plane velocity_x, velocity_y, velocity_z; /* in m/s; with PELAGIC_VELOCITIES_DRAWN */
     /* N^2 texels of four IEEE half floats in tight rows of 8 N bytes: Dx, height, Dz, 0. The layout is that of
      * GL_RGBA16F with GL_HALF_FLOAT and of VK_FORMAT_R16G16B16A16_SFLOAT. NULL if written to texture targets. */
     const uint16_t* displacement_rgba16f;
@@ -1274,7 +1281,7 @@ PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, c
 /* ---- Hulls ----------------------------------------------------------------------------------- */
 
 /* Forces of water and air on rigid hulls, from their triangle meshes; docs/floating.md has the model. Oceans need
- * pelagic_ocean_options.queries and velocities. In a library that was built without PELAGIC_FLOATING, functions of
+ * pelagic_ocean_options.queries and depth. In a library that was built without PELAGIC_FLOATING, functions of
  * this section return PELAGIC_INVALID_ARGUMENT. Hulls and floating bodies are experimental. */
 
 /* The outer surface of a hull: closed, with triangles wound counter-clockwise as seen from outside. An open boat is
@@ -1365,11 +1372,8 @@ typedef struct pelagic_hull_state {
     double orientation[4];            /* unit quaternion x, y, z, w: world from hull */
     double velocity_mps[3];           /* of the centre of mass; [-1e4, 1e4] */
     double angular_velocity_radps[3]; /* [-1e4, 1e4] */
-    /* Of the preceding step: the surface's vertical velocity and rotation at the hull, and fraction of added mass. */
-    double water_velocity_y_mps;
-    double water_rotation_radps[3];
-    double submersion;         /* [0, 1] */
-    int32_t has_previous_step; /* 0: no acceleration of the water and no slamming */
+    double submersion;                /* of the preceding step: fraction of the added mass; [0, 1] */
+    int32_t has_previous_step;        /* 0: no slamming */
 } pelagic_hull_state;
 
 /* Writes the state of a hull that is upright and at rest in still water. The mesh's origin is at the position minus

@@ -16,7 +16,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
-#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/water_query.hpp"
 
 namespace pelagic {
 namespace {
@@ -26,7 +26,7 @@ struct SavedHeader {
     std::uint64_t checksum;  ///< XXH3 of all that follows it
     std::uint64_t count, next_number, has_wakes;
 };
-constexpr std::uint64_t saved_format = 0x33'594f'4248'4c50;  // "PLHBOY3"
+constexpr std::uint64_t saved_format = 0x34'594f'4248'4c50;  // "PLHBOY4"
 constexpr std::size_t checked_from = offsetof(SavedHeader, count);
 
 /// Before the numbers of each body.
@@ -86,8 +86,6 @@ void FloatingBodies::for_each_number(Motion& motion, Use use) {
     use(state.orientation.w), use(state.orientation.x), use(state.orientation.y), use(state.orientation.z);
     each(state.velocity_mps);
     each(state.angular_velocity_radps);
-    use(state.water_velocity_y_mps);
-    each(state.water_rotation_radps);
     use(state.submersion);
     double has_previous_step = state.has_previous_step;
     use(has_previous_step);
@@ -134,7 +132,7 @@ struct FloatingBodies::Jobs {
         if (!moving.empty()) Hull::advance(*water, moving, step_s, workspaces[job]);
     }
 
-    const SurfaceQuery* water = nullptr;
+    const WaterKinematics* water = nullptr;
     std::span<Body> bodies;
     double step_s = 0;
     std::array<HullWorkspace, count> workspaces;
@@ -224,9 +222,10 @@ void FloatingBodies::press(const Frame& frame, double tick_s) {
     for (Body& body : bodies_) body.wake->press(frame, body.state, body.loads, tick_s);
 }
 
-bool FloatingBodies::step(const Frame& frame, double step_s) {
-    const SurfaceQuery water(frame);
-    Hull::check_step(water, step_s);
+bool FloatingBodies::step(const Frame& frame, double step_s) { return step(WaterQuery(frame), step_s); }
+
+bool FloatingBodies::step(const WaterKinematics& water, double step_s) {
+    for (const Body& body : bodies_) Hull::check_step(water, body.inputs, step_s);
     for (const Body& body : bodies_)
         if (const std::string reason = Hull::check(body.state); !reason.empty())
             throw std::invalid_argument("body " + std::to_string(body.number) + ": " + reason);

@@ -75,10 +75,12 @@ class FloatingBodies {
     /// Advances all bodies as Hull::step() does, bit-identically for any number of threads, and
     /// returns its result. The calling thread takes part. Allocates nothing in Pelagic's code once
     /// each job has had a hull of as many vertices.
-    /// \param frame  with queries and velocities
+    /// \param frame  with queries and depth
     /// \throws std::invalid_argument  what Hull::step() throws, for a body that is out of range
     ///                                after its number: "body 3: "; nothing is changed then
     bool step(const Frame& frame, double step_s);
+    /// As above, in any water. Bodies with wakes need that of a frame.
+    bool step(const WaterKinematics& water, double step_s);
 
     /// Returns all that later steps depend on, wakes included: 1,300 bytes a body, and 16 a
     /// cell of its wake. Call it as DynamicWaves::save_state(): after complete(), before the first

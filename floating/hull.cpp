@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -109,8 +110,7 @@ std::string Hull::check(const HullState& state) {
         return "the hull's angular_velocity_radps is out of range [-1e4, 1e4]";
     const double norm = glm::dot(state.orientation, state.orientation);
     if (!(std::fabs(norm - 1) < 1e-3)) return "the hull's orientation is not a unit quaternion";
-    if (!(std::fabs(state.water_velocity_y_mps) <= 1e4) || !is_small(state.water_rotation_radps, 1e4) ||
-        !(state.submersion >= 0 && state.submersion <= 1))
+    if (!(state.submersion >= 0 && state.submersion <= 1))
         return "what the hull's state remembers of its previous step is out of range";
     return {};
 }
@@ -122,9 +122,9 @@ std::string Hull::check(const HullInputs& inputs) {
     return {};
 }
 
-void Hull::check_step(const SurfaceQuery& water, double step_s) {
-    if (!water.has_velocities())
-        throw std::invalid_argument("hulls need OceanOptions::velocities, which the frame was made without");
+void Hull::check_step(const WaterKinematics& water, const HullInputs& inputs, double step_s) {
+    if (inputs.wake && !water.frame_or_null())
+        throw std::invalid_argument("a hull's wake needs the water of a frame");
     if (!(step_s >= 0 && std::isfinite(step_s)))
         throw std::invalid_argument(invalid_value_message("step_s", step_s, "[0, inf) s"));
 }
@@ -142,17 +142,20 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
             mass_kg_ / mesh_.volume_m3() * glm::dvec3(s[1][1] + s[2][2], s[0][0] + s[2][2], s[0][0] + s[1][1]);
     }
     for (const glm::dvec3& vertex : mesh_.vertices()) arms_m_.push_back(vertex - centre_of_mass_m_);
+    triangles_ = mesh_.triangles();
+    divide_triangles();
 
     // A vertex represents a third of its triangles in plan.
     weights_.assign(arms_m_.size(), 0);
     double sum = 0;
-    for (const auto& [a, b, c] : mesh_.triangles()) {
+    for (const auto& [a, b, c] : triangles_) {
         const double in_plan = std::fabs(glm::cross(arms_m_[b] - arms_m_[a], arms_m_[c] - arms_m_[a]).y);
         for (const std::uint32_t vertex : {a, b, c}) weights_[vertex] += in_plan;
         sum += 3 * in_plan;
     }
     for (double& weight : weights_) weight /= sum;
     find_rest();
+    find_displaced_moments();
     if (options.added_mass)
         added_mass_ = *options.added_mass;
     else
@@ -167,6 +170,64 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
                     std::sqrt(weight_n * std::fabs(afloat_.roll_gm_m) * (inertia_kgm2_.x + added_mass_[3][3]));
 }
 
+/// Divides triangles at the middles of long edges. Both triangles at an edge divide it, so the surface
+/// stays closed. Of a mesh that would have too many vertices, edges stay longer.
+void Hull::divide_triangles() {
+    constexpr double longest_over_length = 0.1;
+    constexpr std::size_t max_vertices = 4096;
+    const glm::dvec3 size = mesh_.upper_m() - mesh_.lower_m();
+    double longest_m = longest_over_length * std::max(std::max(size.x, size.y), size.z);
+    footprint_m_ = 2 * longest_m;
+    const auto divided = [&](double limit_m, std::vector<glm::dvec3>& arms, std::vector<HullMesh::Triangle>& triangles) {
+        for (bool is_done = false; !is_done;) {
+            is_done = true;
+            std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+            std::vector<HullMesh::Triangle> next;
+            // returns the middle of a long edge, or the number of vertices there can be
+            const auto middle = [&](std::uint32_t a, std::uint32_t b) -> std::optional<std::uint32_t> {
+                const glm::dvec3 edge = arms[b] - arms[a];
+                if (!(glm::dot(edge, edge) > limit_m * limit_m)) return {};
+                const auto [at, is_new] =
+                    middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(arms.size()));
+                if (is_new) arms.push_back(0.5 * (arms[a] + arms[b]));
+                return at->second;
+            };
+            for (HullMesh::Triangle triangle : triangles) {
+                std::array<std::optional<std::uint32_t>, 3> of;  // opposite of the corner
+                for (std::size_t i = 0; i < 3; ++i) of[i] = middle(triangle[(i + 1) % 3], triangle[(i + 2) % 3]);
+                const auto count = std::count_if(of.begin(), of.end(), [](const auto& at) { return at.has_value(); });
+                if (arms.size() > max_vertices) return false;
+                if (count > 0) is_done = false;
+                // Turn it until the first corner's edges are alike.
+                while (count == 1 ? !of[0] : count == 2 && of[0]) {
+                    std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+                    std::rotate(of.begin(), of.begin() + 1, of.end());
+                }
+                const auto [a, b, c] = triangle;
+                if (count == 0) next.push_back(triangle);
+                if (count == 1) next.insert(next.end(), {{a, b, *of[0]}, {a, *of[0], c}});
+                if (count == 2) next.insert(next.end(), {{a, *of[2], *of[1]}, {*of[2], b, *of[1]}, {b, c, *of[1]}});
+                if (count == 3)
+                    next.insert(next.end(), {{a, *of[2], *of[1]}, {*of[2], b, *of[0]}, {*of[1], *of[0], c},
+                                             {*of[0], *of[1], *of[2]}});
+            }
+            triangles = std::move(next);
+        }
+        return true;
+    };
+    if (arms_m_.size() >= max_vertices) return;
+    while (true) {
+        std::vector<glm::dvec3> arms = arms_m_;
+        std::vector<HullMesh::Triangle> triangles = triangles_;
+        if (divided(longest_m, arms, triangles)) {
+            arms_m_ = std::move(arms);
+            triangles_ = std::move(triangles);
+            return;
+        }
+        longest_m *= 1.25;
+    }
+}
+
 /// Finds the height at which the upright hull displaces its mass, by bisection.
 void Hull::find_rest() {
     floating_volume_m3_ = mass_kg_ / options_.water_density_kgpm3;
@@ -178,7 +239,8 @@ void Hull::find_rest() {
     const auto at_height = [&](double height_m) {
         Hydrostatics wet;
         const auto vertex = [&](std::uint32_t i) {
-            return HullVertex{arms_m_[i], glm::dvec3{}, -(height_m + arms_m_[i].y)};
+            const double depth_m = -(height_m + arms_m_[i].y);
+            return HullVertex{arms_m_[i], glm::dvec3{}, depth_m, depth_m};
         };
         for (const auto& [a, b, c] : mesh_.triangles())
             cut_at_waterline(
@@ -199,6 +261,34 @@ void Hull::find_rest() {
     const double x = wet.x_m3 / wet.waterplane_m2, z = wet.z_m3 / wet.waterplane_m2;
     afloat_.roll_gm_m = buoyancy_m + (wet.zz_m4 - z * wet.z_m3) / volume;
     afloat_.pitch_gm_m = buoyancy_m + (wet.xx_m4 - x * wet.x_m3) / volume;
+}
+
+/// Integrates the squares of the positions in the displaced water, from its middle, by Gauss' theorem:
+/// x^3 / 3 along x over its surface, of which the waterplane is level.
+void Hull::find_displaced_moments() {
+    const double surface_m = afloat_.floats ? -afloat_.height_m : mesh_.upper_m().y;
+    glm::dvec3 first{}, second{};
+    double volume = 0;
+    const auto add = [&](const HullTriangle& triangle) {
+        const glm::dvec3 area = triangle.area_m2();
+        const glm::dvec3 below(0, surface_m, 0), a = triangle.a.arm_m - below, b = triangle.b.arm_m - below,
+                         c = triangle.c.arm_m - below;
+        for (int i = 0; i < 3; ++i) {
+            const double squares = a[i] * a[i] + b[i] * b[i] + c[i] * c[i] + a[i] * b[i] + b[i] * c[i] + c[i] * a[i];
+            const double cubes = a[i] * a[i] * (a[i] + b[i] + c[i]) + b[i] * b[i] * (a[i] + b[i] + c[i]) +
+                                 c[i] * c[i] * (a[i] + b[i] + c[i]) + a[i] * b[i] * c[i];
+            first[i] += area[i] * squares / 12;
+            second[i] += area[i] * cubes / 30;
+        }
+        volume += area.y * (a.y + b.y + c.y) / 3;
+    };
+    const auto vertex = [&](std::uint32_t i) {
+        const double depth_m = surface_m - arms_m_[i].y;
+        return HullVertex{arms_m_[i], glm::dvec3{}, depth_m, depth_m};
+    };
+    for (const auto& [a, b, c] : mesh_.triangles())
+        cut_at_waterline({vertex(a), vertex(b), vertex(c)}, add, [](const HullTriangle&) {});
+    displaced_m5_ = second - first * first / volume;
 }
 
 /// Water on one side halves the added mass of a plate that lies on the surface, and of the mirror
@@ -252,15 +342,21 @@ HullState Hull::at_rest(double x_m, double z_m, double heading_rad) const {
     return state;
 }
 
-HullState Hull::at_rest(const SurfaceQuery& water, double x_m, double z_m, double heading_rad) const {
+HullState Hull::at_rest(const WaterKinematics& water, double x_m, double z_m, double heading_rad) const {
     const DefaultFloatEnvironment environment(x_m, z_m, heading_rad);
     HullState state = at_rest(x_m, z_m, heading_rad);
-    float height = 0, vx = 0, vy = 0, vz = 0;
-    water.sample({{&x_m, 1}, {&z_m, 1}}, {.height_m = {&height, 1},
-                                          .velocity_x_mps = {&vx, 1},
-                                          .velocity_y_mps = {&vy, 1},
-                                          .velocity_z_mps = {&vz, 1}});
-    state.position_m.y += static_cast<double>(height);
+    const double y_m = 0;
+    float depth = 0, vx = 0, vy = 0, vz = 0;
+    const auto sample = [&](double at_y_m) {
+        water.sample({{&x_m, 1}, {&at_y_m, 1}, {&z_m, 1}}, {.depth_m = {&depth, 1},
+                                                            .velocity_x_mps = {&vx, 1},
+                                                            .velocity_y_mps = {&vy, 1},
+                                                            .velocity_z_mps = {&vz, 1}});
+        return static_cast<double>(depth);
+    };
+    const double height_m = sample(y_m);
+    sample(height_m);
+    state.position_m.y += height_m;
     state.velocity_mps = glm::dvec3(vx, vy, vz);
     return state;
 }

@@ -3,20 +3,21 @@
 //   const Hull hull(HullMesh(vertices, triangles), {.mass_kg = 900});
 //   HullState boat = hull.at_rest(0, 0);
 //   HullWorkspace workspace;
-//   hull.step(SurfaceQuery(ocean.complete()), boat, 1.0 / 60, {}, workspace);
+//   hull.step(WaterQuery(ocean.complete()), boat, 1.0 / 60, {}, workspace);
 //
 // An application with a physics engine sets the pose and the velocity of the state, calls loads()
 // and applies the result. Forces, with w the velocity of the hull relative to the water at a
 // triangle, n its outward normal and S its area below the waterline:
 //
-//   pressure    -n S p, p = rho (g + a) d at the depth d below the surface above it; a is the
-//               vertical acceleration of the water at the hull. Integrated exactly over triangles
-//               cut at the waterline (J. Kerner, "Water interaction model for boats in video
-//               games", Gamasutra 2015). In linear waves g + a contains the decrease of pressure
-//               with depth, to first order in depth over wavelength.
+//   pressure    -n S p, with p at rest and of waves at the depth of each vertex (water_kinematics.hpp);
+//               linear on each triangle, and integrated exactly over triangles cut at the waterline
+//               (J. Kerner, "Water interaction model for boats in video games", Gamasutra 2015).
+//               Triangles are divided until no edge is longer than a tenth of the hull's length, or
+//               4096 vertices sample the water.
 //   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the rate of change of the
 //               water's velocity at the moving hull (J. N. Newman, Marine Hydrodynamics, MIT Press
-//               1977, chapters 4 and 7)
+//               1977, chapters 4 and 7): its mean over the displaced water, which follows from the
+//               pressure by Gauss' theorem
 //   drag        1/2 rho C S |w.n| w.n along -n, C for faces that advance and for faces that
 //               retreat; and 1/2 rho C_f S |w_t| w_t for the friction along a face
 //   radiation   linear damping of heave and pitch on strips across the length, and of roll. Of a hull
@@ -49,7 +50,7 @@
 
 #include "pelagic/floating/hull_mesh.hpp"
 #include "pelagic/message/numeric_field.hpp"
-#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/water_query.hpp"
 
 namespace pelagic {
 
@@ -99,12 +100,8 @@ struct HullState {
     glm::dquat orientation{1, 0, 0, 0};   ///< world from hull, unit
     glm::dvec3 velocity_mps{};            ///< of the centre of mass
     glm::dvec3 angular_velocity_radps{};  ///< in world axes
-    /// Of the previous step: vertical velocity and rotation of the water's surface under the hull,
-    /// and the fraction of the added mass.
-    double water_velocity_y_mps = 0;
-    glm::dvec3 water_rotation_radps{};
-    double submersion = 0;
-    bool has_previous_step = false;  ///< false: no acceleration of water and no slamming
+    double submersion = 0;           ///< of the previous step: the fraction of the added mass
+    bool has_previous_step = false;  ///< false: no slamming
 };
 
 /// A force and its torque about the centre of mass, in world axes.
@@ -134,7 +131,7 @@ struct HullLoads {
     double water_height_m = 0, water_slope_x = 0, water_slope_z = 0;
     glm::dvec3 water_velocity_mps{};    ///< mean under the hull
     glm::dvec3 water_rotation_radps{};  ///< of the surface under the hull, about x and z
-    glm::dvec3 water_acceleration_mps2{};
+    glm::dvec3 water_acceleration_mps2{};  ///< mean over the displaced water
     HullMatrix mass{};       ///< of the hull, and its added mass now; axes of the hull
     HullMatrix stiffness{};  ///< -d pressure / d pose; axes of the hull
 
@@ -164,19 +161,23 @@ struct HullAfloat {
 
 /// Memory of a step, reused so that steps allocate nothing after the first.
 struct HullWorkspace {
-    std::vector<double> x, z;
-    std::vector<float> height_m, velocity_x_mps, velocity_y_mps, velocity_z_mps;
+    std::vector<double> x, y, z;
+    std::vector<float> depth_m, pressure_pa, velocity_x_mps, velocity_y_mps, velocity_z_mps;
+    std::vector<float> depth_with_wake_m;
+    double footprint_m = 0;  ///< of all points
     std::vector<double> wake_m;
     struct Vertex {
         glm::dvec3 arm_m;         ///< from the centre of mass, world axes
         glm::dvec3 relative_mps;  ///< velocity of the hull relative to the water
         double depth_m;           ///< below the surface, negative above it
+        double head_m;            ///< pressure over density and gravity
         double wake_m = 0;        ///< of it, that of waves that HullWake acts on
     };
     std::vector<Vertex> vertices;
 
-    /// Samples the water at (x, z).
-    void sample(const SurfaceQuery& water);
+    void clear();
+    /// Samples the water at (x, y, z).
+    void sample(const WaterKinematics& water);
 };
 
 /// The immutable part of hulls of one kind: mesh, mass and coefficients. Any thread may use it.
@@ -194,9 +195,8 @@ class Hull {
     /// Returns an empty string for usable inputs, else what is wrong: forces and torques in
     /// [-1e15, 1e15], wind in [-1e3, 1e3] m/s.
     static std::string check(const HullInputs& inputs);
-    /// \throws std::invalid_argument  if the frame has no velocities, or step_s is negative or not
-    ///                                finite
-    static void check_step(const SurfaceQuery& water, double step_s);
+    /// \throws std::invalid_argument  if step_s is negative or not finite, or a wake has no frame
+    static void check_step(const WaterKinematics& water, const HullInputs& inputs, double step_s);
 
     /// Returns the mesh of construction.
     const HullMesh& mesh() const { return mesh_; }
@@ -216,18 +216,16 @@ class Hull {
     /// towards +z by the heading.
     /// \throws std::invalid_argument  if the heading is not finite
     HullState at_rest(double x_m, double z_m, double heading_rad = 0) const;
-    /// As above, but on the surface of a frame, with the velocity of the water there.
-    /// \throws std::invalid_argument  if the frame has no velocities
-    HullState at_rest(const SurfaceQuery& water, double x_m, double z_m, double heading_rad = 0) const;
+    /// As above, but on the surface of the water, with its velocity there.
+    HullState at_rest(const WaterKinematics& water, double x_m, double z_m, double heading_rad = 0) const;
 
     /// Returns the loads of a state, and stores in it what the next call needs.
-    /// \param water   of a frame with velocities
     /// \param state   successive calls are step_s apart
     /// \param step_s  at least 0: drag is that of an implicit step of this length, so that an
     ///                explicit integrator remains stable; 0: no time has passed
     /// \throws std::invalid_argument  check(state) or check(inputs) if it is not empty, or what
     ///                                check_step() throws; the state is unchanged then
-    HullLoads loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+    HullLoads loads(const WaterKinematics& water, HullState& state, double step_s, const HullInputs& inputs,
                     HullWorkspace& workspace) const;
 
     /// Solves (M + A) du = step_s F for the velocities after a step, with weight and the inputs'
@@ -240,7 +238,7 @@ class Hull {
     /// hitch of the application, is divided into equal steps, and more than 1 s counts as 1 s.
     /// \returns whether the state has advanced by all of step_s
     /// \throws std::invalid_argument  what loads() throws
-    bool step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+    bool step(const WaterKinematics& water, HullState& state, double step_s, const HullInputs& inputs,
               HullWorkspace& workspace) const;
 
    private:
@@ -250,9 +248,9 @@ class Hull {
     double floating_m3() const { return floating_volume_m3_; }
     void append_points(const HullState& state, HullWorkspace& workspace) const;
     /// Fills workspace.vertices from its samples.
-    void place_vertices(const SurfaceQuery& water, std::size_t first_point, const HullState& state,
+    void place_vertices(const WaterKinematics& water, std::size_t first_point, const HullState& state,
                         const HullWake* wake, HullWorkspace& workspace) const;
-    HullLoads loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
+    HullLoads loads_at(const WaterKinematics& water, std::size_t first_point, HullState& state, double step_s,
                        const HullInputs& inputs, HullWorkspace& workspace) const;
     /// What step() divides a time into.
     struct Steps {
@@ -270,7 +268,7 @@ class Hull {
         HullLoads& loads;  ///< receives those of the last part of the step
     };
     /// Advances hulls as step(), without checks and with one query for all.
-    static bool advance(const SurfaceQuery& water, std::span<const Moving> hulls, double step_s,
+    static bool advance(const WaterKinematics& water, std::span<const Moving> hulls, double step_s,
                         HullWorkspace& workspace);
     struct Speeds;
     HullMatrix turning_by(const glm::dvec3& spin, double submersion) const;
@@ -278,18 +276,23 @@ class Hull {
     Speeds speeds_after(const HullState& state, const HullLoads& loads, double step_s,
                         const HullInputs& inputs) const;
     void complete_step(HullState& middle, const HullLoads& forces, double step_s, const HullInputs& inputs) const;
+    void divide_triangles();
     void find_rest();
+    void find_displaced_moments();
     void set_default_added_mass();
 
     HullMesh mesh_;
     HullOptions options_;
     double mass_kg_;
     glm::dvec3 centre_of_mass_m_, inertia_kgm2_;
-    std::vector<glm::dvec3> arms_m_;  // vertices from the centre of mass
+    std::vector<glm::dvec3> arms_m_;  // vertices from the centre of mass, first those of the mesh
+    std::vector<HullMesh::Triangle> triangles_;  // of these
     std::vector<double> weights_;     // of vertices in means over the plan; their sum is 1
     HullMatrix added_mass_{};
     HullAfloat afloat_;
+    double footprint_m_ = 0;  // twice the distance of vertices
     double floating_volume_m3_ = 0;
+    glm::dvec3 displaced_m5_{};  // second moments of the water that the hull at rest displaces
     double strip_damping_ = 0;      // kg/s for a square metre of waterplane
     double roll_damping_ = 0;       // kg m^2/s
     double heave_wave_number_ = 0;  // rad/m, of the waves that heave makes

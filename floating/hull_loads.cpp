@@ -42,7 +42,6 @@ struct MeanWater {
     double height_m = 0;
     glm::dvec3 velocity_mps{};
     double slope_x = 0, slope_z = 0;        // of the height
-    double wake_slope_x = 0, wake_slope_z = 0;  // of it, that of HullWake
     double gradient_x = 0, gradient_z = 0;  // of the vertical velocity, 1/s
 };
 
@@ -52,19 +51,18 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
     const auto water_velocity = [&](const HullVertex& vertex) {
         return velocity_mps + glm::cross(angular_velocity_radps, vertex.arm_m) - vertex.relative_mps;
     };
-    double x = 0, z = 0, height = 0, wake = 0;
+    double x = 0, z = 0, height = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const HullVertex& vertex = vertices[i];
         x += weights[i] * vertex.arm_m.x;
         z += weights[i] * vertex.arm_m.z;
         height += weights[i] * (vertex.arm_m.y + vertex.depth_m);
-        wake += weights[i] * vertex.wake_m;
         mean.velocity_mps += weights[i] * water_velocity(vertex);
     }
     mean.x_m = x;
     mean.z_m = z;
     mean.height_m = height_m + height;
-    double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0, xw = 0, zw = 0;
+    double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const HullVertex& vertex = vertices[i];
         const double dx = vertex.arm_m.x - x, dz = vertex.arm_m.z - z;
@@ -74,38 +72,42 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
         xz += weights[i] * dx * dz;
         zz += weights[i] * dz * dz;
         xh += dx * dh, zh += dz * dh, xv += dx * dv, zv += dz * dv;
-        const double dw = weights[i] * (vertex.wake_m - wake);
-        xw += dx * dw, zw += dz * dw;
     }
     const double determinant = xx * zz - xz * xz;
     if (determinant > 1e-9 * xx * zz) {
         mean.slope_x = (zz * xh - xz * zh) / determinant;
         mean.slope_z = (xx * zh - xz * xh) / determinant;
-        mean.wake_slope_x = (zz * xw - xz * zw) / determinant;
-        mean.wake_slope_z = (xx * zw - xz * xw) / determinant;
         mean.gradient_x = (zz * xv - xz * zv) / determinant;
         mean.gradient_z = (xx * zv - xz * xv) / determinant;
     }
     return mean;
 }
 
-/// Returns the rate of change of the vertical velocity of the water under the hull, minus
-/// `along_mps2`.
-double vertical_change(const MeanWater& mean, const HullState& state, double step_s, double along_mps2 = 0) {
-    if (!state.has_previous_step || step_s == 0) return 0;
-    const double change = (mean.velocity_mps.y - state.water_velocity_y_mps) / step_s - along_mps2;
-    // Waves break before the surface falls freely.
-    return std::clamp(change, -gravity_mps2, gravity_mps2);
-}
+/// Changes of the water's motion in the volume that a hull displaces.
+struct WaterChange {
+    glm::dvec3 acceleration_mps2{};
+    /// Change of rotation: that of a rigid volume on which the water's accelerations have the same moment.
+    glm::dvec3 rotation_radps2{};
+};
 
-/// Returns the acceleration of the water at the surface: the vertical one from two steps, at a
-/// fixed position; the horizontal one from the slope, because pressure is constant along the
-/// surface.
-glm::dvec3 water_acceleration(const MeanWater& mean, const HullState& state, double step_s) {
-    if (!state.has_previous_step) return {};
-    const double along = state.velocity_mps.x * mean.gradient_x + state.velocity_mps.z * mean.gradient_z;
-    const double vertical = vertical_change(mean, state, step_s, along);
-    return {-(gravity_mps2 + vertical) * mean.slope_x, vertical, -(gravity_mps2 + vertical) * mean.slope_z};
+/// Returns the means over the displaced volume. The pressure's force is that of gravity and
+/// acceleration on the displaced water, because pressure is 0 on its surface; so is its torque.
+/// \param middle_y_m     middle of the displaced volume, from the centre of mass
+/// \param displaced_m5   second moments of the volume along the world's axes
+WaterChange water_change(const Hydrostatics& wet, double middle_y_m, const glm::dvec3& displaced_m5) {
+    WaterChange change;
+    if (!(wet.volume_m3 > 0)) return change;
+    // Waves break before the surface falls freely.
+    const auto limited = [](double mps2) { return std::clamp(mps2, -gravity_mps2, gravity_mps2); };
+    const glm::dvec3 middle(wet.volume_x_m4 / wet.volume_m3, middle_y_m, wet.volume_z_m4 / wet.volume_m3);
+    const glm::dvec3 excess = wet.force_m3 - glm::dvec3(0, wet.volume_m3, 0);
+    for (int axis = 0; axis < 3; ++axis)
+        change.acceleration_mps2[axis] = limited(gravity_mps2 * excess[axis] / wet.volume_m3);
+    const glm::dvec3 torque = wet.torque_m4 - glm::cross(middle, wet.force_m3);
+    const glm::dvec3 moments(displaced_m5.y + displaced_m5.z, displaced_m5.x + displaced_m5.z,
+                             displaced_m5.x + displaced_m5.y);
+    change.rotation_radps2 = gravity_mps2 * torque / moments;
+    return change;
 }
 
 /// -d pressure / d pose in world axes, about the centre of mass: what the waterplane and the lever
@@ -140,29 +142,35 @@ HullMatrix in_hull(const HullMatrix& world, const glm::dmat3& axes) {
 }  // namespace
 
 void Hull::append_points(const HullState& state, HullWorkspace& workspace) const {
+    workspace.footprint_m = std::min(workspace.footprint_m, footprint_m_);
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     for (const glm::dvec3& arm : arms_m_) {
-        const glm::dvec3 turned = axes * arm;
-        workspace.x.push_back(state.position_m.x + turned.x);
-        workspace.z.push_back(state.position_m.z + turned.z);
+        const glm::dvec3 at = state.position_m + axes * arm;
+        workspace.x.push_back(at.x);
+        workspace.y.push_back(at.y);
+        workspace.z.push_back(at.z);
     }
 }
 
-void Hull::place_vertices(const SurfaceQuery& water, std::size_t first_point, const HullState& state,
+void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point, const HullState& state,
                           const HullWake* wake, HullWorkspace& workspace) const {
     workspace.wake_m.assign(arms_m_.size(), 0);
-    if (wake) {
-        const auto ours = [&](auto& values) { return std::span(values).subspan(first_point, arms_m_.size()); };
-        wake->leave_out(water.frame(), ours(workspace.x), ours(workspace.z), ours(workspace.height_m),
+    const auto ours = [&](auto& values) { return std::span(values).subspan(first_point, arms_m_.size()); };
+    const std::span<float> depths = ours(workspace.depth_m);
+    workspace.depth_with_wake_m.assign(depths.begin(), depths.end());
+    if (wake)
+        wake->leave_out(*water.frame_or_null(), ours(workspace.x), ours(workspace.z), depths,
                         ours(workspace.velocity_y_mps), workspace.wake_m);
-    }
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    const double m_per_pascal = 1 / (water.water_density_kgpm3() * gravity_mps2);
     workspace.vertices.resize(arms_m_.size());
     for (std::size_t i = 0; i < arms_m_.size(); ++i) {
         const std::size_t point = first_point + i;
         HullVertex& vertex = workspace.vertices[i];
         vertex.arm_m = axes * arms_m_[i];
-        vertex.depth_m = workspace.height_m[point] - (state.position_m.y + vertex.arm_m.y);
+        vertex.depth_m = static_cast<double>(workspace.depth_m[point]);
+        vertex.head_m = m_per_pascal * static_cast<double>(workspace.pressure_pa[point]) +
+                        (vertex.depth_m - static_cast<double>(workspace.depth_with_wake_m[i]));
         vertex.relative_mps = state.velocity_mps + glm::cross(state.angular_velocity_radps, vertex.arm_m) -
                               glm::dvec3(workspace.velocity_x_mps[point], workspace.velocity_y_mps[point],
                                          workspace.velocity_z_mps[point]);
@@ -170,7 +178,7 @@ void Hull::place_vertices(const SurfaceQuery& water, std::size_t first_point, co
     }
 }
 
-HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, HullState& state, double step_s,
+HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, HullState& state, double step_s,
                          const HullInputs& inputs, HullWorkspace& workspace) const {
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     place_vertices(water, first_point, state, inputs.wake, workspace);
@@ -184,7 +192,6 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     loads.water_height_m = mean.height_m - mean.slope_x * mean.x_m - mean.slope_z * mean.z_m;
     // a rotation about z lifts points at x, one about x lowers points at z
     loads.water_rotation_radps = {-mean.gradient_z, 0, mean.gradient_x};
-    loads.water_acceleration_mps2 = water_acceleration(mean, state, step_s);
 
     const double radiates = det::exp(-2 * heave_wave_number_ * submergence_m(vertices));
     Hydrostatics wet;
@@ -219,7 +226,7 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
         if (flow <= 0) return;
         drag.add(arm, -half_air * options_.air_coefficient * flow * flow / glm::dot(area, area) * area, relative);
     };
-    for (const auto& [a, b, c] : mesh_.triangles())
+    for (const auto& [a, b, c] : triangles_)
         cut_at_waterline({vertices[a], vertices[b], vertices[c]}, add_wet, add_dry);
 
     if (options_.skeg_m2 > 0) {
@@ -235,17 +242,20 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
         drag.add(arm, -half_water * submerged * options_.skeg_m2 * flow * across * axes[2], relative);
     }
 
-    loads.displaced_m3 = wet.force_m3.y;
+    loads.displaced_m3 = wet.volume_m3;
     loads.submersion = std::clamp(loads.displaced_m3 / floating_volume_m3_, 0.0, 1.0);
     const double roll = glm::dot(state.angular_velocity_radps - loads.water_rotation_radps, axes[0]);
     const double roll_nm = -radiates * roll_damping_ * loads.submersion * roll;
     drag.force.torque_nm += roll_nm * axes[0];
     drag.power_w += roll_nm * roll;
 
-    const double weight_npm3 = options_.water_density_kgpm3 * (gravity_mps2 + loads.water_acceleration_mps2.y);
+    const double weight_npm3 = options_.water_density_kgpm3 * gravity_mps2;
     loads.pressure = {weight_npm3 * wet.force_m3, weight_npm3 * wet.torque_m4};
-    if (inputs.wake) loads.pressure += inputs.wake->push(water.frame(), state);
     const double buoyancy_y_m3 = (mean.height_m - state.position_m.y) * loads.displaced_m3 - wet.depth_moment_m4;
+    const glm::dvec3 moments_m5 = glm::matrixCompMult(axes, axes) * displaced_m5_;
+    const WaterChange change = water_change(wet, buoyancy_y_m3 / std::max(loads.displaced_m3, 1e-9), moments_m5);
+    loads.water_acceleration_mps2 = change.acceleration_mps2;
+    if (inputs.wake) loads.pressure += inputs.wake->push(*water.frame_or_null(), state);
     loads.stiffness = in_hull(world_stiffness(wet, weight_npm3, buoyancy_y_m3), axes);
 
     const glm::dmat3 to_hull = glm::transpose(axes);
@@ -256,27 +266,14 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     }
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < 6; ++j) loads.mass[i][j] += loads.submersion * added_mass_[i][j];
-    glm::dvec3 water_spin_change{};
-    if (state.has_previous_step && step_s > 0)
-        water_spin_change = (loads.water_rotation_radps - state.water_rotation_radps) / step_s;
     // The added mass moves with the hull, so its momentum changes with the velocity of the water at
     // the hull. A steady wave that moves with the hull causes no change (Newman, chapter 7).
-    const glm::dvec3 change(loads.water_acceleration_mps2.x, vertical_change(mean, state, step_s),
-                            loads.water_acceleration_mps2.z);
-    const Vector6 acceleration = joined(to_hull * change, to_hull * water_spin_change);
+    const glm::dvec3 moved(0, state.velocity_mps.x * mean.gradient_x + state.velocity_mps.z * mean.gradient_z, 0);
+    const Vector6 acceleration =
+        joined(to_hull * (change.acceleration_mps2 + moved), to_hull * change.rotation_radps2);
     Vector6 inertial = product(added_mass_, acceleration);
     for (double& value : inertial) value *= loads.submersion;
     loads.added_mass = to_world(inertial);
-    if (inputs.wake) {  // which knows the force of its waves along the surface
-        const double fall_mps2 = -(gravity_mps2 + loads.water_acceleration_mps2.y);
-        Vector6 of_wake = product(
-            added_mass_,
-            joined(to_hull * (fall_mps2 * glm::dvec3(mean.wake_slope_x, 0, mean.wake_slope_z)), glm::dvec3(0)));
-        for (double& value : of_wake) value *= loads.submersion;
-        const HullForce known = to_world(of_wake);
-        loads.added_mass.force_n -= glm::dvec3(known.force_n.x, 0, known.force_n.z);
-        loads.added_mass.torque_nm.y -= known.torque_nm.y;
-    }
     const auto in_axes = [&](const HullForce& force) {
         return joined(to_hull * force.force_n, to_hull * force.torque_nm);
     };
@@ -303,32 +300,36 @@ HullLoads Hull::loads_at(const SurfaceQuery& water, std::size_t first_point, Hul
     loads.impact_n = glm::length(loads.slamming.force_n) + kept * glm::length(advancing.force.force_n);
     loads.impact_w = std::max(impact_w, 0.0);
 
-    state.water_velocity_y_mps = mean.velocity_mps.y;
-    state.water_rotation_radps = loads.water_rotation_radps;
     state.submersion = loads.submersion;
     state.has_previous_step = true;
     return loads;
 }
 
-HullLoads Hull::loads(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+HullLoads Hull::loads(const WaterKinematics& water, HullState& state, double step_s, const HullInputs& inputs,
                       HullWorkspace& workspace) const {
     const DefaultFloatEnvironment environment(step_s);
-    check_step(water, step_s);
+    check_step(water, inputs, step_s);
     require(check(state));
     require(check(inputs));
-    workspace.x.clear();
-    workspace.z.clear();
+    workspace.clear();
     append_points(state, workspace);
     workspace.sample(water);
     return loads_at(water, 0, state, step_s, inputs, workspace);
 }
 
-void HullWorkspace::sample(const SurfaceQuery& water) {
-    for (auto* values : {&height_m, &velocity_x_mps, &velocity_y_mps, &velocity_z_mps}) values->resize(x.size());
-    water.sample({.x = x, .z = z}, {.height_m = height_m,
-                                    .velocity_x_mps = velocity_x_mps,
-                                    .velocity_y_mps = velocity_y_mps,
-                                    .velocity_z_mps = velocity_z_mps});
+void HullWorkspace::clear() {
+    for (auto* positions : {&x, &y, &z}) positions->clear();
+    footprint_m = std::numeric_limits<double>::infinity();
+}
+
+void HullWorkspace::sample(const WaterKinematics& water) {
+    for (auto* values : {&depth_m, &pressure_pa, &velocity_x_mps, &velocity_y_mps, &velocity_z_mps})
+        values->resize(x.size());
+    water.sample({.x = x, .y = y, .z = z, .footprint_m = footprint_m}, {.depth_m = depth_m,
+                                            .pressure_pa = pressure_pa,
+                                            .velocity_x_mps = velocity_x_mps,
+                                            .velocity_y_mps = velocity_y_mps,
+                                            .velocity_z_mps = velocity_z_mps});
 }
 
 }  // namespace pelagic

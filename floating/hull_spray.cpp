@@ -56,10 +56,10 @@ HullSpray::HullSpray(const Hull& hull, const HullSprayOptions& options) : hull_(
     draught_m_ = hull.afloat().floats ? hull.afloat().draught_m : (mesh.upper_m() - mesh.lower_m()).y / 2;
 }
 
-void HullSpray::update(const SurfaceQuery& water, const HullState& state, const HullLoads& loads, double step_s,
+void HullSpray::update(const WaterKinematics& water, const HullState& state, const HullLoads& loads, double step_s,
                        HullWorkspace& workspace, const HullWake* wake) {
     const DefaultFloatEnvironment environment(step_s);
-    Hull::check_step(water, step_s);
+    Hull::check_step(water, {.wake = wake}, step_s);
     step_s = Hull::Steps(step_s).each_s;  // of the loads
     require(Hull::check(state));
     jets_.clear();
@@ -68,15 +68,14 @@ void HullSpray::update(const SurfaceQuery& water, const HullState& state, const 
     foam_.clear();
     energy_j_ = 0;
     if (!(loads.impact_w > 0)) return;
-    workspace.x.clear();
-    workspace.z.clear();
+    workspace.clear();
     hull_->append_points(state, workspace);
     workspace.sample(water);
     hull_->place_vertices(water, 0, state, wake, workspace);
     add_jets(loads, state, step_s, workspace);
     if (jets_.empty()) return;
     add_foam(loads, state, step_s);
-    add_droplets(loads, state, step_s, water.frame().time_s);
+    add_droplets(loads, state, step_s, water.time_s());
 }
 
 void HullSpray::add_jets(const HullLoads& loads, const HullState& state, double step_s,

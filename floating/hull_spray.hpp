@@ -2,7 +2,7 @@
 //
 //   HullSpray thrown(hull);
 //   bodies.step(frame, tick_s);                                          // FloatingBodies
-//   thrown.update(SurfaceQuery(frame), bodies.state(boat), bodies.loads(boat), tick_s, workspace,
+//   thrown.update(WaterQuery(frame), bodies.state(boat), bodies.loads(boat), tick_s, workspace,
 //                 bodies.inputs(boat).wake);
 //   ocean.emit(thrown.emitters());                                       // sim/spray.hpp
 //   for (const Disturbance& foam : thrown.foam()) waves.add_impulse(foam);
@@ -73,7 +73,7 @@ class HullSpray {
     /// \param step_s  of Hull::step(); of a divided step, the spray is that of its last part
     /// \param wake  HullInputs::wake of the step
     /// \throws std::invalid_argument  Hull::check(state), or what Hull::check_step() throws
-    void update(const SurfaceQuery& water, const HullState& state, const HullLoads& loads, double step_s,
+    void update(const WaterKinematics& water, const HullState& state, const HullLoads& loads, double step_s,
                 HullWorkspace& workspace, const HullWake* wake = nullptr);
 
     /// Returns emitters of one droplet each, which leave within a step from the frame's time on.

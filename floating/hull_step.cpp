@@ -110,9 +110,9 @@ Hull::Steps::Steps(double step_s) {
     are_all = sum_s == step_s;
 }
 
-bool Hull::step(const SurfaceQuery& water, HullState& state, double step_s, const HullInputs& inputs,
+bool Hull::step(const WaterKinematics& water, HullState& state, double step_s, const HullInputs& inputs,
                 HullWorkspace& workspace) const {
-    check_step(water, step_s);
+    check_step(water, inputs, step_s);
     require(check(state));
     require(check(inputs));
     HullLoads loads;
@@ -120,7 +120,7 @@ bool Hull::step(const SurfaceQuery& water, HullState& state, double step_s, cons
     return advance(water, {&moving, 1}, step_s, workspace);
 }
 
-bool Hull::advance(const SurfaceQuery& water, std::span<const Moving> hulls, double step_s,
+bool Hull::advance(const WaterKinematics& water, std::span<const Moving> hulls, double step_s,
                    HullWorkspace& workspace) {
     const DefaultFloatEnvironment environment(step_s);
     const Steps steps(step_s);
@@ -128,8 +128,7 @@ bool Hull::advance(const SurfaceQuery& water, std::span<const Moving> hulls, dou
     if (steps.count > 1)
         for (const Moving& of : hulls) of.state.has_previous_step = false;
     for (int i = 0; i < steps.count; ++i) {
-        workspace.x.clear();
-        workspace.z.clear();
+        workspace.clear();
         for (const Moving& of : hulls) {
             drift(of.state, 0.5 * steps.each_s);
             of.hull.append_points(of.state, workspace);

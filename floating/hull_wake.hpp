@@ -8,7 +8,7 @@
 //   const Frame& frame = ocean.complete();
 //   wake.press(frame, state, loads, tick_s);
 //   ocean.schedule(frame.time_s + tick_s);
-//   loads = hull.loads(SurfaceQuery(frame), state, tick_s, {.wake = &wake}, workspace);
+//   loads = hull.loads(WaterQuery(frame), state, tick_s, {.wake = &wake}, workspace);
 //
 // The loads of a hull leave out the hollow that its own pressure makes at rest, because that
 // pressure is its buoyancy. Waves that it radiated earlier stay, for itself and for others.

@@ -24,7 +24,7 @@ struct HullTriangle {
 inline HullVertex at_waterline(const HullVertex& below, const HullVertex& above) {
     const double along = below.depth_m / (below.depth_m - above.depth_m);
     return {below.arm_m + along * (above.arm_m - below.arm_m),
-            below.relative_mps + along * (above.relative_mps - below.relative_mps), 0,
+            below.relative_mps + along * (above.relative_mps - below.relative_mps), 0, 0,
             below.wake_m + along * (above.wake_m - below.wake_m)};
 }
 
@@ -46,25 +46,34 @@ void cut_at_waterline(HullTriangle triangle, Wet&& wet, Dry&& dry) {
     dry(tip), wet(left), wet(right);
 }
 
-/// Integrals of a depth that is linear on each triangle; exact. The waterplane's follow from those
-/// over the wet surface, because a column from the bottom to the surface meets both. HullWake
-/// computes the force of its waves along x and z, and their torque about y.
+/// Integrals over the wet surface of quantities that are linear on each triangle; exact. Those of the
+/// depth d give the displaced volume and its waterplane, because a column from the bottom to the surface
+/// meets both. Those of the head p / (rho g) give the pressure, and by Gauss' theorem the mean
+/// acceleration of the water that the hull displaces. HullWake computes the force of its waves along
+/// x and z, and their torque about y.
 struct Hydrostatics {
-    glm::dvec3 force_m3{};   ///< -integral n d: the displaced volume, along y in still water
-    glm::dvec3 torque_m4{};  ///< about the centre of mass
+    glm::dvec3 force_m3{};   ///< -integral n head: in still water the displaced volume, along y
+    glm::dvec3 torque_m4{};  ///< of it about the centre of mass
+    double volume_m3 = 0;    ///< displaced
+    double volume_x_m4 = 0, volume_z_m4 = 0;  ///< its moments from the centre of mass
     double waterplane_m2 = 0, x_m3 = 0, z_m3 = 0, xx_m4 = 0, xz_m4 = 0, zz_m4 = 0;
     double depth_moment_m4 = 0;  ///< displaced volume times the mean depth in it
 
     void add(const HullTriangle& triangle) {
         const HullVertex &a = triangle.a, &b = triangle.b, &c = triangle.c;
         const glm::dvec3 area = triangle.area_m2();
-        const double depths = a.depth_m + b.depth_m + c.depth_m;
         const glm::dvec3 arms = a.arm_m + b.arm_m + c.arm_m;
+        const double heads = a.head_m + b.head_m + c.head_m;
+        const double depths = a.depth_m + b.depth_m + c.depth_m;
         const double wakes = a.wake_m + b.wake_m + c.wake_m;
-        const glm::dvec3 moment = depths * arms + a.depth_m * a.arm_m + b.depth_m * b.arm_m + c.depth_m * c.arm_m;
+        const glm::dvec3 moment = heads * arms + a.head_m * a.arm_m + b.head_m * b.arm_m + c.head_m * c.arm_m;
         const glm::dvec3 of_wakes = wakes * arms + a.wake_m * a.arm_m + b.wake_m * b.arm_m + c.wake_m * c.arm_m;
-        force_m3 -= depths / 3 * area - wakes / 3 * glm::dvec3(area.x, 0, area.z);
+        const glm::dvec3 of_depths = depths * arms + a.depth_m * a.arm_m + b.depth_m * b.arm_m + c.depth_m * c.arm_m;
+        force_m3 -= heads / 3 * area - wakes / 3 * glm::dvec3(area.x, 0, area.z);
         torque_m4 += (glm::cross(area, moment) - glm::dvec3(0, glm::cross(area, of_wakes).y, 0)) / 12.0;
+        volume_m3 -= depths / 3 * area.y;
+        volume_x_m4 -= area.y / 12 * of_depths.x;
+        volume_z_m4 -= area.y / 12 * of_depths.z;
         waterplane_m2 -= area.y;
         x_m3 -= area.y / 3 * arms.x;
         z_m3 -= area.y / 3 * arms.z;

@@ -12,6 +12,7 @@
 #include "pelagic/sim/frame_bounds.hpp"
 #include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/snapshot_foam.hpp"
+#include "pelagic/sim/water_levels.hpp"
 
 namespace pelagic {
 
@@ -107,8 +108,11 @@ struct Cascade {
     /// Metres, in the world's axes. Without data if OceanOptions::planes is off.
     PlaneView dx, height, dz;
     /// Derivatives of dx, height and dz in time at the fixed reference point, m/s. Without data
-    /// unless OceanOptions::velocities is set.
+    /// unless OceanOptions::velocities is drawn.
     PlaneView velocity_x, velocity_y, velocity_z;
+    /// Pressure and velocity of the water below, with OceanOptions::depth, or the velocity at the surface
+    /// alone, if OceanOptions::velocities is water.
+    WaterLevels water;
     /// Fold map: where the surface may intersect itself, for queries (buffers/fold_map.hpp). Empty
     /// without OceanOptions::queries, and if the sea has more cascades than one or a regular wave.
     std::span<const std::uint8_t> folds;

@@ -23,14 +23,31 @@ struct FrameBuffers {
     std::span<std::uint32_t> slopes_rgba8 = {}, moments_rgba8 = {};
 };
 
+/// Velocities of a frame and of its queries.
+enum class Velocities {
+    none,
+    drawn,  ///< derivatives of the drawn displacement in time, in planes of full resolution
+    water   ///< the water's own at the surface, by linear theory, not scaled by choppiness (water_levels.hpp)
+};
+template <>
+struct EnumNames<Velocities> {
+    static constexpr std::array<std::string_view, 3> all = {"none", "drawn", "water"};
+};
+
 /// Optional contents of each cascade of a frame, as OceanOptions defines them.
 struct FrameContents {
     bool queries = false;     ///< fold map or contraction bounds
-    bool velocities = false;  ///< velocity_x, velocity_y and velocity_z
+    Velocities velocities = Velocities::none;
+    bool depth = false;       ///< levels below the surface
     bool gradients = true;    ///< gradient_rgba8
     bool slopes = false;      ///< slopes_rgba8 and moments_rgba8
     bool foam = false;        ///< compression_r8 and snapshots_rgba8
     bool planes = true;       ///< dx, height and dz
+
+    /// Returns whether there are velocity_x, velocity_y and velocity_z.
+    bool has_drawn_velocities() const { return velocities == Velocities::drawn; }
+    /// Returns whether there are water levels: the velocity at the surface at least.
+    bool has_water_levels() const { return depth || velocities == Velocities::water; }
 };
 
 /// Returns an empty string if the arrays fit frames of `cascade_count` cascades of this resolution,

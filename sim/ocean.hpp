@@ -46,9 +46,14 @@ struct OceanOptions {
     std::shared_ptr<TraceSink> trace = {};
     /// Enables queries of points and rays. N^2 / 8 bytes for each cascade of a frame.
     bool queries = false;
-    /// Adds velocities to frames and queries. 12 N^2 bytes for each cascade of a frame, and about
-    /// twice as many transforms.
-    bool velocities = false;
+    /// Velocities of frames and queries. Drawn: the derivatives of the drawn displacement in time,
+    /// in planes of 12 N^2 bytes for each cascade of a frame, with about twice as many transforms.
+    /// Water: the water's own at the surface by linear theory, for queries, with a quarter of the
+    /// transforms more; waves shorter than six texels are left out.
+    Velocities velocities = Velocities::none;
+    /// Adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade
+    /// of a frame, and about two thirds more transforms. It does not combine with waves pond.
+    bool depth = false;
     /// Gradients of each cascade: normals, Jacobian and smoothness. By default a sea with cascades
     /// 1 has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off.
     std::optional<bool> gradients = {};

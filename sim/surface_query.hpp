@@ -81,8 +81,8 @@ struct SurfaceSamples {
     /// The Jacobian J = (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x of these slopes: 1 at rest, small at sharp
     /// crests, negative (and the normal points down) where the surface is overturned. Not clamped.
     std::span<float> jacobian = {};
-    /// Velocity of the water at the position: the displacement's derivative in time at the fixed
-    /// reference point.
+    /// Velocity of the water at the position, as of OceanOptions::velocities: `drawn` is the
+    /// displacement's derivative in time at the fixed reference point.
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};
     /// Horizontal distance from the given point to the sample's drawn position, metres.
     std::span<float> error_m = {};
@@ -124,7 +124,9 @@ class SurfaceQuery {
     /// Returns how values between texels are interpolated.
     Interpolation interpolation() const { return options_.interpolation; }
     /// Returns whether velocities can be sampled.
-    bool has_velocities() const { return frame_.cascades.front().velocity_y.data != nullptr; }
+    bool has_velocities() const {
+        return frame_.cascades.front().velocity_y.data != nullptr || frame_.cascades.front().water.has_surface();
+    }
     /// Returns whether foam can be sampled.
     bool has_foam() const { return cascades_have_foam() || frame_.dynamic_waves || frame_.shore; }
     /// Checks arrays, but not their lengths. \throws std::invalid_argument  what sample() throws
@@ -133,6 +135,12 @@ class SurfaceQuery {
     void check(const SurfacePoints& points, const SurfaceSamples& wanted) const;
 
    private:
+    friend class WaterQuery;
+    /// Calls use(query, chunk) for the points in chunks, whose reference points were found.
+    template <class Use>
+    void for_each_chunk(const SurfacePoints& points, Use use) const;
+    template <class Query>
+    void read_water_velocities(const Query& query, PointChunk& chunk) const;
     bool cascades_have_foam() const { return frame_.has_foam; }
     /// Takes a position in the water.
     bool has_sample(double x, double z) const;

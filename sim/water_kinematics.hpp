@@ -15,14 +15,20 @@
 
 namespace pelagic {
 
+struct Frame;
+
 /// Positions in the world, in metres: y is up, and 0 is the mean level of the sea.
 struct WaterPoints {
     std::span<const double> x, y, z;  ///< equally long
+    /// Leaves out waves shorter than about this length, at least 0; of a frame, cascades that hold no
+    /// longer wave.
+    double footprint_m = 0;
 };
 
 /// Arrays that receive the results. Each span is as long as the points, or empty to leave that
 /// result out. No span may overlap another or the points. A position without a sample
-/// (SurfacePoints) has the quiet NaN 0x7fc00000. Above the surface, pressure, velocity and acceleration are 0.
+/// (SurfacePoints) has the quiet NaN 0x7fc00000. Above the surface the pressure is 0, and velocity and
+/// acceleration are those at the surface.
 struct WaterSamples {
     std::span<float> depth_m = {};      ///< below the surface above the point; negative in the air
     std::span<float> pressure_pa = {};  ///< above that of the air
@@ -30,14 +36,31 @@ struct WaterSamples {
     std::span<float> acceleration_x_mps2 = {}, acceleration_y_mps2 = {}, acceleration_z_mps2 = {};
 };
 
+/// \throws std::invalid_argument  for spans of another length than the points
+void require_equal_lengths(const WaterPoints& points, const WaterSamples& samples);
+
 /// Water at one moment: of a frame (WaterQuery), or the exact sum of waves (ExactWater).
 class WaterKinematics {
    public:
     virtual ~WaterKinematics() = default;
 
+    /// Returns the density that pressures are of, kg/m^3.
+    double water_density_kgpm3() const { return water_density_kgpm3_; }
+    /// Returns the time of the water, seconds.
+    double time_s() const { return time_s_; }
+    /// Returns the frame of the water; null for water without one.
+    virtual const Frame* frame_or_null() const { return nullptr; }
+
     /// Samples the water at the points. Thread-safe.
     /// \throws std::invalid_argument  before it writes, for spans of another length than the points
     virtual void sample(const WaterPoints& points, const WaterSamples& samples) const = 0;
+
+   protected:
+    /// \throws std::invalid_argument  if the density is not in [500, 2000]
+    WaterKinematics(double water_density_kgpm3, double time_s);
+
+   private:
+    double water_density_kgpm3_, time_s_;
 };
 
 }  // namespace pelagic

@@ -92,7 +92,7 @@ TEST(Allocation, QueriesAndQueryableFramesDoNotAllocate) {
                                         {make_serial_executor(), steep_cascades},
                                         {make_thread_executor(3), steep_cascades},
                                         {make_thread_executor(3), pond}}) {
-        Ocean ocean(sea, {.executor = executor, .queries = true, .velocities = true, .slopes = true, .foam = true});
+        Ocean ocean(sea, {.executor = executor, .queries = true, .velocities = Velocities::drawn, .slopes = true, .foam = true});
         SurfaceQueryJobs jobs(executor);
         std::vector<double> x(3000), z(3000);
         std::vector<float> height(3000), velocity(3000), normal(3000), foam(3000);
@@ -118,7 +118,7 @@ TEST(Allocation, WaveInputsDoNotAllocateInFrames) {
         const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 5, .amplitude_m = 0.2});
         const auto zeros = std::make_shared<CallbackInput>([](const InputRows&) {});
         Ocean ocean({.resolution = 128},
-                    {.executor = executor, .velocities = true, .foam = true, .inputs = {waves, none, rings, zeros}});
+                    {.executor = executor, .velocities = Velocities::drawn, .foam = true, .inputs = {waves, none, rings, zeros}});
         ocean.frame_at(0);
         waves->set(analytic_sea({.waves = 64}));
         rings->set({.x_m = 30, .wavelength_m = 40, .amplitude_m = 1});
@@ -150,7 +150,7 @@ TEST(Allocation, MemoryBytesMatchesTheOceansBuffers) {
     EXPECT_NEAR(static_cast<double>(ocean.memory_bytes()) / (256 * 256), 64, 1);
     // Two slots of 12 bytes of velocities, and a quarter byte of fold map.
     Ocean queryable({.resolution = 256, .patch_size_m = 250},
-                    {.executor = make_serial_executor(), .queries = true, .velocities = true});
+                    {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn});
     EXPECT_NEAR(static_cast<double>(queryable.memory_bytes() - ocean.memory_bytes()) / (256 * 256), 24.5, 0.7);
 }
 

@@ -31,7 +31,7 @@ class CInterfaceBodies : public testing::Test {
         waves.border_m = waves_options.border_m;
         auto options = pelagic_ocean_options_make();
         options.executor = serial.get();
-        options.queries = options.velocities = 1;
+        options.queries = options.depth = 1;
         options.dynamic_waves = has_waves ? &waves : nullptr;
         auto sea = small_sea(32);
         sea.wind_speed_mps = 12;

@@ -21,9 +21,9 @@ void expect_equal(const Options& c, const Options& cpp, const Fields& fields) {
 }
 
 auto members(const OceanOptions& options) {
-    const auto& [executor, isa, trace, queries, velocities, gradients, slopes, foam, dynamic_waves, shore, spray,
+    const auto& [executor, isa, trace, queries, velocities, depth, gradients, slopes, foam, dynamic_waves, shore, spray,
                  inputs, planes, memory] = options;
-    return std::make_tuple(executor != nullptr, isa, trace, queries, velocities, gradients, slopes, foam,
+    return std::make_tuple(executor != nullptr, isa, trace, queries, velocities, depth, gradients, slopes, foam,
                            dynamic_waves.has_value(), shore.has_value(), spray.has_value(), inputs, planes,
                            memory.user, memory.allocate, memory.release);
 }

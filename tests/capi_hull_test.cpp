@@ -77,7 +77,7 @@ TEST(CInterfaceHull, OptionsHaveTheDefaultsAndEffectsOfTheCppInterface) {
 
 TEST(CInterfaceHull, LoadsAndVelocitiesEqualThoseOfTheCppInterface) {
     const SeaState sea{.resolution = 32, .patch_size_m = 250, .wind_speed_mps = 14};
-    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .depth = true});
     auto c_sea = small_sea(32);
     c_sea.wind_speed_mps = 14;
     const COcean c_ocean = ocean_of(c_sea, executor_of(PELAGIC_EXECUTOR_SERIAL).get());
@@ -97,7 +97,7 @@ TEST(CInterfaceHull, LoadsAndVelocitiesEqualThoseOfTheCppInterface) {
         pelagic_frame frame{};
         ASSERT_EQ(pelagic_ocean_schedule(c_ocean.get(), i / 60.0), PELAGIC_OK);
         ASSERT_EQ(pelagic_ocean_complete(c_ocean.get(), &frame), PELAGIC_OK);
-        const SurfaceQuery water(ocean.frame_at(i / 60.0));
+        const WaterQuery water(ocean.frame_at(i / 60.0));
         const HullLoads expected = hull.loads(water, state, 1.0 / 60, inputs, workspace);
         if (i % 2 == 0) {
             ASSERT_EQ(pelagic_hull_compute_loads(c_hull.get(), c_ocean.get(), &c_state, 1.0 / 60, &c_inputs, &loads),
@@ -204,7 +204,7 @@ TEST(CInterfaceHull, UnusableMeshesAndOptionsAreRejectedWithALine) {
     pelagic_hull_destroy(nullptr);
 }
 
-TEST(CInterfaceHull, LoadsNeedQueriesAndVelocities) {
+TEST(CInterfaceHull, LoadsNeedQueriesAndDepth) {
     const CHull hull = boat_of(6, 2.2, 1.2, 3500);
     pelagic_hull_state state = at_rest(hull, 0, 0);
     pelagic_hull_loads loads{};
@@ -219,11 +219,12 @@ TEST(CInterfaceHull, LoadsNeedQueriesAndVelocities) {
         ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
         expect_rejected(pelagic_hull_compute_loads(hull.get(), ocean.get(), &state, 0.01, nullptr, &loads),
                         queries
-                            ? "hulls need pelagic_ocean_options.velocities, which the frame was made without"
+                            ? "the frame has no water below its surface: the ocean was created without "
+                              "pelagic_ocean_options.depth"
                             : "the ocean cannot be queried: it was created without pelagic_ocean_options.queries");
         pelagic_bodies* bodies = nullptr;
         expect_rejected(pelagic_bodies_create(ocean.get(), nullptr, &bodies),
-                        "bodies need queries and velocities, which the ocean was created without");
+                        "bodies need queries and depth, which the ocean was created without");
     }
 }
 

@@ -55,7 +55,7 @@ TEST(CInterfaceInside, CascadesEqualThoseOfTheCppInterface) {
         ASSERT_EQ(pelagic_ocean_complete(made, &c_frame), PELAGIC_OK);
 
         Ocean ocean({.cascades = 4, .resolution = 32}, {.executor = make_serial_executor(),
-                                                        .velocities = has_all,
+                                                        .velocities = has_all ? Velocities::drawn : Velocities::none,
                                                         .gradients = has_all ? std::optional(true) : std::nullopt,
                                                         .slopes = has_all ? std::optional(true) : std::nullopt,
                                                         .foam = has_all});

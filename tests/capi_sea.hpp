@@ -69,7 +69,7 @@ inline COcean ocean_of(const pelagic_sea& sea, const pelagic_ocean_options& opti
 /// An ocean with queries and velocities.
 inline COcean ocean_of(const pelagic_sea& sea, const pelagic_executor* executor) {
     auto options = pelagic_ocean_options_make();
-    options.queries = options.velocities = 1;
+    options.queries = options.velocities = options.depth = 1;
     options.executor = executor;
     return ocean_of(sea, options);
 }

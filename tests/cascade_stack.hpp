@@ -24,7 +24,7 @@ class CascadeStack {
 
     CascadeStack(const std::vector<Part>& parts, double time_s, Isa isa = choose_isa()) {
         for (const Part& part : parts) {
-            Ocean ocean(part.sea, {.executor = make_serial_executor(), .isa = isa, .velocities = true});
+            Ocean ocean(part.sea, {.executor = make_serial_executor(), .isa = isa, .velocities = Velocities::drawn});
             add(ocean.frame_at(time_s).cascades[0], part);
         }
         finish(parts.front().sea, isa);

@@ -200,7 +200,7 @@ TEST(CascadeStackQuery, MatchesTheOracleOnEveryPreset) {
         sea.choppiness = 1;
         sea.seed = ++seed;
         if (cascades_of(sea) == 1) continue;
-        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn});
         expect_as_stack_oracle(ocean.frame_at(3.7 * seed), random_points(is_sanitized ? 3 : 100, 2e4, seed), false);
     }
     EXPECT_GT(seed, 5u);

@@ -171,7 +171,7 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
 
     TemporaryFolder folder_;
     json record_;
-    Ocean ocean_{mapped_gale, {.executor = make_serial_executor(), .velocities = true, .gradients = true}};
+    Ocean ocean_{mapped_gale, {.executor = make_serial_executor(), .velocities = Velocities::drawn, .gradients = true}};
 };
 
 TEST_P(ExportedMaps, DecodedBySeaJsonEqualTheFrame) {

@@ -82,7 +82,7 @@ TEST(FiniteDepth, SwellOrbitHasTheAxesOfAiryTheory) {
                      .swell_period_s = period_s,
                      .swell_spread_rad = pi / 180,
                      .loop_period_s = 5 * period_s},
-                    {.executor = make_serial_executor(), .velocities = true});
+                    {.executor = make_serial_executor(), .velocities = Velocities::drawn});
         Complex horizontal, up, horizontal_speed, up_speed;
         constexpr int times = 160;
         for (int i = 0; i < times; ++i) {
@@ -107,7 +107,7 @@ TEST(FiniteDepth, SwellOrbitHasTheAxesOfAiryTheory) {
 TEST(FiniteDepth, EachWavesHorizontalDisplacementMatchesAiryTheory) {
     for (const double depth : {6.0, 20.0, 4000.0}) {
         const SeaState sea{.cascades = 2, .resolution = 64, .depth_m = depth, .choppiness = 0.8, .lean = 0};
-        Ocean ocean(sea, {.executor = make_serial_executor(), .velocities = true});
+        Ocean ocean(sea, {.executor = make_serial_executor(), .velocities = Velocities::drawn});
         for (const Cascade& cascade : ocean.frame_at(3.7).cascades) {
             const ComplexField h = transformed(cascade.height), dx = transformed(cascade.dx),
                                dz = transformed(cascade.dz);

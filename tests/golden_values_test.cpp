@@ -56,7 +56,7 @@ TEST_P(GoldenValues, OfAnOceanWithDynamicWavesAndAShore) {
     Ocean ocean(golden_sea, {.executor = GetParam().executor(),
                              .isa = GetParam().isa,
                              .queries = true,
-                             .velocities = true,
+                             .velocities = Velocities::drawn,
                              .foam = true,
                              .dynamic_waves = DynamicWavesOptions{.resolution = 64, .border_m = 8},
                              .shore = bay()});
@@ -158,7 +158,7 @@ TEST_P(GoldenValues, OfBodies) {
     Ocean ocean(golden_sea, {.executor = GetParam().executor(),
                              .isa = GetParam().isa,
                              .queries = true,
-                             .velocities = true,
+                             .velocities = Velocities::drawn,
                              .dynamic_waves = DynamicWavesOptions{.resolution = 64, .side_m = 32, .border_m = 4}});
     FloatingBodies floating(GetParam().executor(), &ocean.dynamic_waves());
     floating.add(hull, hull.at_rest(1, -2, 0.25));

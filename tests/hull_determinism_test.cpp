@@ -35,7 +35,7 @@ void add_fleet(FloatingBodies& bodies, const Hull& hull, int count) {
 }
 
 std::uint64_t trajectory_hash(Isa isa, std::shared_ptr<Executor> executor) {
-    Ocean ocean(rough_sea, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
+    Ocean ocean(rough_sea, {.executor = executor, .isa = isa, .queries = true, .depth = true});
     const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500});
     FloatingBodies bodies(executor);
     add_fleet(bodies, hull, 16);
@@ -66,7 +66,7 @@ TEST(HullDeterminism, TrajectoriesAreBitIdenticalOnEachInstructionSetAndThreadCo
 }
 
 TEST(HullDeterminism, AHullOfASetMovesAsOneAlone) {
-    Ocean ocean(rough_sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    Ocean ocean(rough_sea, {.executor = make_serial_executor(), .queries = true, .depth = true});
     const Hull hull(boat_mesh(6, 2.2, 1.2), {.mass_kg = 3500});
     FloatingBodies bodies(make_serial_executor());
     add_fleet(bodies, hull, 3);
@@ -75,7 +75,7 @@ TEST(HullDeterminism, AHullOfASetMovesAsOneAlone) {
     for (int i = 0; i < 50; ++i) {
         const Frame& frame = ocean.frame_at((i + 0.5) * hull_step_s);
         bodies.step(frame, hull_step_s);
-        hull.step(SurfaceQuery(frame), alone, hull_step_s, bodies.inputs(2), workspace);
+        hull.step(WaterQuery(frame), alone, hull_step_s, bodies.inputs(2), workspace);
     }
     EXPECT_TRUE(equal(alone, bodies.state(2)));
 }
@@ -95,7 +95,7 @@ struct Voyage {
         : ocean(sea, {.executor = executor,
                       .isa = isa,
                       .queries = true,
-                      .velocities = true,
+                      .depth = true,
                       .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}}),
           hull(mesh, {.mass_kg = 2000}),
           bodies(executor, &ocean.dynamic_waves()),
@@ -111,7 +111,7 @@ struct Voyage {
             const Frame& frame = ocean.complete();
             bodies.press(frame, hull_step_s);
             bodies.step(frame, hull_step_s);
-            thrown.update(SurfaceQuery(frame), bodies.state(1), bodies.loads(1), hull_step_s, workspace,
+            thrown.update(WaterQuery(frame), bodies.state(1), bodies.loads(1), hull_step_s, workspace,
                           bodies.inputs(1).wake);
             for (const Disturbance& foam : thrown.foam()) ocean.dynamic_waves().add_impulse(foam);
             droplets += thrown.emitters().size();
@@ -152,7 +152,7 @@ TEST(HullDeterminism, HullsDoNotDependOnTheCallersRoundingMode) {
         for (int axis = 0; axis < 3; ++axis) sum = sum * 31 + std::bit_cast<std::uint64_t>(state.position_m[axis]);
         HullState apart = state;
         HullWorkspace workspace;
-        const SurfaceQuery water(voyage.ocean.frame_at(1));
+        const WaterQuery water(voyage.ocean.frame_at(1));
         const HullLoads loads = voyage.hull.loads(water, apart, hull_step_s, {}, workspace);
         voyage.hull.accelerate(apart, loads, hull_step_s);
         voyage.hull.step(water, apart, hull_step_s, {}, workspace);

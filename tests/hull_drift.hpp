@@ -37,7 +37,7 @@ struct FlatWater {
               const std::shared_ptr<Executor>& executor = make_serial_executor(), const WaterFrame& water = {})
         // waves of the wind are lower than 0.01 mm
         : ocean({.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.01f},
-                {.executor = executor, .queries = true, .velocities = true, .dynamic_waves = waves}),
+                {.executor = executor, .queries = true, .depth = true, .dynamic_waves = waves}),
           bodies(make_serial_executor(), &ocean.dynamic_waves()),
           hull(bodies.hull(bodies.add(of, of.at_rest(0, 0)))),
           tick_s(1.0 / waves.ticks_per_s) {

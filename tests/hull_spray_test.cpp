@@ -46,7 +46,7 @@ struct Thrower {
     HullLoads step(double step_s, const HullInputs& inputs = {}) {
         bodies.set_state(1, state);
         bodies.set_inputs(1, inputs);
-        bodies.step(water.frame(), step_s);
+        bodies.step(water, step_s);
         state = bodies.state(1);
         thrown.update(water.query(), state, bodies.loads(1), step_s, workspace);
         return bodies.loads(1);

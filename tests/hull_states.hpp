@@ -15,8 +15,8 @@ inline const SeaState rough_sea{
 
 inline bool equal(const HullState& a, const HullState& b) {
     return a.position_m == b.position_m && a.orientation == b.orientation && a.velocity_mps == b.velocity_mps &&
-           a.angular_velocity_radps == b.angular_velocity_radps && a.water_velocity_y_mps == b.water_velocity_y_mps &&
-           a.water_rotation_radps == b.water_rotation_radps && a.submersion == b.submersion &&
+           a.angular_velocity_radps == b.angular_velocity_radps &&
+           a.submersion == b.submersion &&
            a.has_previous_step == b.has_previous_step;
 }
 

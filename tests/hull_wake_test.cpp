@@ -348,7 +348,7 @@ TEST(HullWake, APassingHullMakesAnotherHeave) {
         Ocean ocean(still_sea,
                     {.executor = make_serial_executor(),
                      .queries = true,
-                     .velocities = true,
+                     .depth = true,
                      .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
         FloatingBodies bodies(make_serial_executor(), &ocean.dynamic_waves());
         bodies.add(launch, launch.at_rest(0, 0));
@@ -469,7 +469,7 @@ TEST(HullWake, HullsOfAnySizeStayInAStorm) {
                  .lean = 0},
                 {.executor = make_thread_executor(2),
                  .queries = true,
-                 .velocities = true,
+                 .depth = true,
                  .dynamic_waves = DynamicWavesOptions{.resolution = 256, .side_m = 256, .border_m = 24}});
     const Hull kinds[] = {
         Hull(box_mesh({0.3, 0.2, 0.2}), {.mass_kg = 2}), Hull(boat_mesh(4, 1.6, 0.8), {.mass_kg = 350}),

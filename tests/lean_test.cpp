@@ -137,7 +137,7 @@ TEST(Lean, FoldsNoMoreOften) {
 // relative error of (w dt)^2 / 6, 1e-4 for the shortest waves.
 TEST(Lean, VelocityIsThatOfTheDrawnSurface) {
     constexpr double dt = 1e-3, time_s = 12.3;
-    Ocean ocean(windy(14, 0.6), {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    Ocean ocean(windy(14, 0.6), {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn});
     const Points points = random_points(is_sanitized ? 200 : 2000, 3000, 5);
     const auto sampled = [&](double at_s) {
         Samples samples(points.x.size());

@@ -50,7 +50,7 @@ class MisuseTest : public testing::Test {
     static constexpr const char *complete_first = "a frame is in flight; call complete() first",
                                 *complete_sea_first = "a sea is being computed; call complete_sea() first";
     static OceanOptions options() {
-        return {.executor = make_serial_executor(), .queries = true, .velocities = true};
+        return {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn};
     }
     const SeaState sea_{.resolution = 16, .patch_size_m = 250};
     Ocean ocean_{sea_, options()};

@@ -62,7 +62,7 @@ TEST(QueryCommand, PrintsTheLibrarysResultsExactly) {
         EXPECT_EQ(lines[0], query_header);
 
         Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 9, .choppiness = 1, .seed = 3},
-                    {.executor = make_serial_executor(), .queries = true, .velocities = true});
+                    {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn});
         const std::vector<double> x = {0, 12.25, 1e2}, z = {0, -3.5, -0.1};
         std::vector<std::vector<float>> values(9, std::vector<float>(3));
         std::vector<std::uint8_t> converged(3);

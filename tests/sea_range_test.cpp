@@ -122,7 +122,7 @@ SeaState without_exclusions(SeaState sea) {
 
 void expect_finite(const SeaState& sea) {
     ASSERT_EQ(check(sea), "") << text_of(sea);
-    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn});
     for (const double time_s : {0.0, 0.7 * sea.loop_period_s}) {
         const Frame& frame = ocean.frame_at(time_s);
         const std::string fault = fault_of(frame);

@@ -172,7 +172,8 @@ TEST(Spray, IsEqualAfterAJumpAndStepByStep) {
 TEST(Spray, IsIndependentOfTheOtherParts) {
     const SeaState sea{.cascades = 3, .resolution = 32, .wind_speed_mps = 22, .loop_period_s = 40};
     OceanOptions all = with_spray(), without = with_spray(), foam_alone = with_spray();
-    all.queries = all.velocities = all.foam = foam_alone.foam = true;
+    all.queries = all.foam = foam_alone.foam = true;
+    all.velocities = Velocities::drawn;
     all.dynamic_waves = DynamicWavesOptions{.resolution = 64, .border_m = 8};
     foam_alone.spray.reset();
     Ocean with(sea, all), alone(sea, without), foam(sea, foam_alone);

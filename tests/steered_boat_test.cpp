@@ -36,7 +36,7 @@ struct Voyage {
     explicit Voyage(const SeaState& sea = level, bool makes_waves = true)
         : ocean(sea, {.executor = make_serial_executor(),
                       .queries = true,
-                      .velocities = true,
+                      .depth = true,
                       .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64}}) {
         if (makes_waves) boat.float_on(ocean.dynamic_waves());
     }

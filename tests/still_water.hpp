@@ -1,70 +1,65 @@
-// Frames with velocities that are not from an ocean: still water, and a regular wave.
+// Water in closed form: still, and a regular wave.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <vector>
 
-#include "pelagic/sim/buffers/fold_map.hpp"
-#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/water_kinematics.hpp"
 #include "pelagic/simd/constants.hpp"
-#include "pelagic/tests/one_cascade_frame.hpp"
 
 namespace pelagic {
 
-class StillWater {
+class StillWater : public WaterKinematics {
    public:
-    explicit StillWater(int n = 16, double side_m = 64)
-        : n_(n),
-          side_m_(side_m),
-          height_(cells()),
-          velocity_x_(cells()),
-          velocity_y_(cells()),
-          zero_(cells()),
-          folds_(n) {
-        const auto plane = [&](std::vector<float>& values) { return PlaneView{values.data(), n_, n_, n_, 0}; };
-        water_.frame.isa = choose_isa();
-        Cascade& cascade = water_.cascade;
-        cascade.grid.side_m = side_m;
-        cascade.dx = cascade.dz = plane(zero_);
-        cascade.height = plane(height_);
-        cascade.velocity_x = plane(velocity_x_);
-        cascade.velocity_y = plane(velocity_y_);
-        cascade.velocity_z = plane(zero_);
-        folds_.update(cascade, kernels_for(choose_isa()));
-    }
+    explicit StillWater(double time_s = 0) : WaterKinematics(1025, time_s) {}
 
-    const Frame& frame() const { return water_.frame; }
-    SurfaceQuery query() const { return SurfaceQuery(frame()); }
-
-   protected:
-    std::size_t cells() const { return static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_); }
-
-    int n_;
-    double side_m_;
-    std::vector<float> height_, velocity_x_, velocity_y_, zero_;
-    FoldMap folds_;
-    OneCascadeFrame water_;
-};
-
-/// A regular wave of small amplitude along x, h = a cos(k x - omega t), in deep water.
-class RegularWave : public StillWater {
-   public:
-    using StillWater::StillWater;
-
-    /// \param waves  whole number of wavelengths in the side
-    void set_wave(double amplitude_m, int waves, double time_s) {
-        const double k = two_pi * waves / side_m_, omega = std::sqrt(gravity_mps2 * k);
-        for (int i = 0; i < n_; ++i) {
-            const double phase = k * i * side_m_ / n_ - omega * time_s;
-            for (int j = 0; j < n_; ++j) {
-                const auto at = static_cast<std::size_t>(j * n_ + i);
-                height_[at] = static_cast<float>(amplitude_m * std::cos(phase));
-                velocity_x_[at] = static_cast<float>(amplitude_m * omega * std::cos(phase));
-                velocity_y_[at] = static_cast<float>(amplitude_m * omega * std::sin(phase));
-            }
+    const WaterKinematics& query() const { return *this; }
+    void sample(const WaterPoints& points, const WaterSamples& samples) const override {
+        for (std::size_t i = 0; i < points.x.size(); ++i) {
+            const Motion motion = motion_at(points.x[i], points.y[i], points.z[i]);
+            const auto put = [i](std::span<float> to, double value) {
+                if (!to.empty()) to[i] = static_cast<float>(value);
+            };
+            put(samples.depth_m, motion.depth_m);
+            put(samples.pressure_pa, motion.depth_m > 0 ? 1025 * gravity_mps2 * (motion.head_m - points.y[i]) : 0);
+            put(samples.velocity_x_mps, motion.along_mps * along_x_);
+            put(samples.velocity_y_mps, motion.up_mps);
+            put(samples.velocity_z_mps, motion.along_mps * along_z_);
         }
     }
+
+   protected:
+    struct Motion {
+        double depth_m, head_m = 0, along_mps = 0, up_mps = 0;
+    };
+    virtual Motion motion_at(double, double y_m, double) const { return {.depth_m = -y_m}; }
+
+    double along_x_ = 1, along_z_ = 0;
+};
+
+/// A regular wave, a cos(k s - omega t), by Airy's theory with Wheeler's stretching in deep water.
+class RegularWave : public StillWater {
+   public:
+    explicit RegularWave(double heading_rad = 0) {
+        along_x_ = std::cos(heading_rad);
+        along_z_ = std::sin(heading_rad);
+    }
+    void set_wave(double amplitude_m, double k, double time_s) {
+        amplitude_m_ = amplitude_m;
+        k_ = k;
+        at_s_ = time_s;
+    }
+
+   private:
+    Motion motion_at(double x_m, double y_m, double z_m) const override {
+        const double omega = std::sqrt(gravity_mps2 * k_);
+        const double phase = k_ * (along_x_ * x_m + along_z_ * z_m) - omega * at_s_;
+        const double height_m = amplitude_m_ * std::cos(phase), depth_m = height_m - y_m;
+        const double left = amplitude_m_ * std::exp(-k_ * std::max(depth_m, 0.0));
+        return {depth_m, left * std::cos(phase), omega * left * std::cos(phase), omega * left * std::sin(phase)};
+    }
+
+    double amplitude_m_ = 0, k_ = 1, at_s_ = 0;
 };
 
 }  // namespace pelagic

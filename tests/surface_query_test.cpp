@@ -46,7 +46,7 @@ Points points_where_overturned(const Frame& frame, std::size_t count, unsigned s
 
 std::unique_ptr<Ocean> ocean_with_queries(const SeaState& sea, Isa isa = choose_isa()) {
     return std::make_unique<Ocean>(
-        sea, OceanOptions{.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true});
+        sea, OceanOptions{.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = Velocities::drawn});
 }
 
 struct Worst {

@@ -151,7 +151,7 @@ std::string refusal_of(const OceanOptions& options) {
 TEST(TexturesWithoutPlanes, AreRefusedTogetherWithWhatNeedsPlanes) {
     const std::string refused = " cannot be combined with an ocean without planes";
     EXPECT_EQ(refusal_of({.queries = true, .planes = false}), "queries" + refused);
-    EXPECT_EQ(refusal_of({.velocities = true, .planes = false}), "velocities" + refused);
+    EXPECT_EQ(refusal_of({.velocities = Velocities::drawn, .planes = false}), "velocities" + refused);
     EXPECT_EQ(refusal_of({.dynamic_waves = DynamicWavesOptions{}, .planes = false}), "dynamic_waves" + refused);
     EXPECT_EQ(refusal_of({.shore = ShoreOptions{}, .planes = false}), "shore" + refused);
     EXPECT_EQ(refusal_of({.inputs = {nullptr}, .planes = false}), "inputs" + refused);

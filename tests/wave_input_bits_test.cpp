@@ -58,7 +58,7 @@ std::vector<std::uint64_t> frames_of(const SeaState& sea, Isa isa, std::shared_p
         Ripple{.x_m = 7.3, .z_m = -2.9, .wavelength_m = 9, .amplitude_m = 0.5, .reach_m = 40});
     Ocean ocean(sea, {.executor = std::move(executor),
                       .isa = isa,
-                      .velocities = true,
+                      .velocities = Velocities::drawn,
                       .slopes = true,
                       .foam = true,
                       .inputs = {batch, rings}});

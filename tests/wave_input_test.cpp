@@ -44,7 +44,7 @@ OceanOptions with(std::vector<std::shared_ptr<WaveInput>> inputs, Isa isa = choo
     return {.executor = std::move(executor),
             .isa = isa,
             .queries = true,
-            .velocities = true,
+            .velocities = Velocities::drawn,
             .slopes = true,
             .inputs = std::move(inputs)};
 }

@@ -303,7 +303,7 @@ TEST(Weather, FoamFollowsChangesOfALiveOcean) {
 TEST(Weather, VelocitiesMatchTheBlend) {
     const double step_s = 1e-3;
     Forecast slow = calm_to_storm(-1e5, 2e5);  // the waves change little in one step
-    Ocean ocean(slow, {.executor = make_thread_executor(2), .velocities = true});
+    Ocean ocean(slow, {.executor = make_thread_executor(2), .velocities = Velocities::drawn});
     std::vector<double> moved;
     const auto heights = [&](double time_s) {
         const Cascade& cascade = ocean.frame_at(time_s).cascades[0];

@@ -42,7 +42,7 @@ Hull boat_hull() {
 SteeredBoat::SteeredBoat(const Frame& frame, glm::dvec2 place_m, double heading_rad)
     : hull_(boat_hull()),
       bodies_(std::make_unique<FloatingBodies>(make_serial_executor())),
-      body_(bodies_->add(hull_, hull_.at_rest(SurfaceQuery(frame), place_m.x, place_m.y, heading_rad))),
+      body_(bodies_->add(hull_, hull_.at_rest(WaterQuery(frame), place_m.x, place_m.y, heading_rad))),
       thrown_(hull_) {}
 
 void SteeredBoat::float_on(DynamicWaves& waves) {
@@ -76,7 +76,7 @@ void SteeredBoat::advance(const Frame& frame, double passed_s, const Helm& helm)
     bodies_->set_inputs(body_, {.force = engine_and_rudder(helm)});
     bodies_->step(frame, passed_s);
     bodies_->press(frame, passed_s);
-    thrown_.update(SurfaceQuery(frame), state(), bodies_->loads(body_), passed_s, workspace_,
+    thrown_.update(WaterQuery(frame), state(), bodies_->loads(body_), passed_s, workspace_,
                    bodies_->inputs(body_).wake);
 }
 

@@ -87,7 +87,7 @@ void ViewScene::create_ocean(double time_s, const std::vector<SeaChange>& change
                    OceanOptions{.executor = make_default_executor(options_.threads),
                                 .trace = stage_times_,
                                 .queries = true,
-                                .velocities = true,
+                                .depth = true,
                                 .slopes = true,
                                 .foam = true,
                                 .dynamic_waves = dynamic_waves,
@@ -147,7 +147,7 @@ Frame ViewScene::boat_water(const Frame& frame) {
     if (settings_.surface == gl::Surface::open) return frame;
     if (!still_ocean_)
         still_ocean_.emplace(still_water,
-                             OceanOptions{.executor = make_serial_executor(), .queries = true, .velocities = true});
+                             OceanOptions{.executor = make_serial_executor(), .queries = true, .depth = true});
     Frame still = still_ocean_->frame_at(0);
     still.time_s = frame.time_s;
     still.water_frame = frame.water_frame;

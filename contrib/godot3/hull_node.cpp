@@ -260,9 +260,9 @@ bool HullNode::step(double seconds) {
     OceanNode& ocean = needed_ocean();
     const Frame* const frame = ocean.frame();
     if (!frame) throw std::invalid_argument("the ocean has invalid options, which it reported");
-    if (!ocean.settings().velocities)
-        throw std::invalid_argument("the ocean has no velocities: set velocities to true");
-    Hull::check_step(SurfaceQuery(*frame), seconds);  // before a launch
+    if (!ocean.settings().depth)
+        throw std::invalid_argument("the ocean has no depth: set depth to true");
+    Hull::check_step(WaterQuery(*frame), {}, seconds);  // before a launch
     needed_afloat();
     OceanNode* const makes_wake_in = ocean_of_wake(&ocean);
     if (makes_wake_in != waves_of_) {

@@ -103,7 +103,8 @@ bool OceanNode::make_ocean() {
     }
     OceanOptions options{.executor = make_thread_executor(settings_.threads),
                          .queries = true,
-                         .velocities = settings_.velocities,
+                         .velocities = settings_.velocities ? Velocities::drawn : Velocities::none,
+                         .depth = settings_.depth,
                          .slopes = true,
                          .foam = settings_.foam};
     if (settings_.dynamic_waves) options.dynamic_waves = settings_.dynamic_waves_options;

@@ -201,6 +201,7 @@ std::vector<OceanProperty> ocean_property_table() {
     const std::vector<OceanProperty> others = {
         flag("foam", &OceanSettings::foam),
         flag("velocities", &OceanSettings::velocities),
+        flag("depth", &OceanSettings::depth),
         choice("interpolation", "linear,cubic", &OceanSettings::interpolation,
                [](std::string_view name) { return value_named<Interpolation>(name).has_value(); }),
         ranged(

@@ -20,7 +20,7 @@ struct OceanSettings {
     double swell_direction_deg = 0;
     int threads = 0;  ///< number of threads including the engine's; 0: one per usable CPU
     bool foam = true;
-    bool velocities = false;
+    bool velocities = false, depth = false;
     bool dynamic_waves = false;
     DynamicWavesOptions dynamic_waves_options;
     bool spray = false;

@@ -62,7 +62,7 @@ void sail(double seconds) {
     };
     // 12 texels along the dinghy, and room for the ship.
     Ocean ocean(storm(), {.queries = true,
-                          .velocities = true,
+                          .depth = true,
                           .dynamic_waves = DynamicWavesOptions{.resolution = 512, .side_m = 160, .border_m = 20}});
     FloatingBodies bodies(make_default_executor(), &ocean.dynamic_waves());
     std::vector<std::uint32_t> numbers;

@@ -271,14 +271,14 @@ class Bodies:
     def __init__(self, ocean: Ocean, wakes: bool = False, threads: int = 0) -> None:
         """Creates an empty set.
 
-        ocean       needs queries and velocities, and for wakes dynamic_waves
+        ocean       needs queries and depth, and for wakes dynamic_waves
         wakes       bodies press on the dynamic waves
         threads     maximum threads of a step, including the calling thread; 0: one per core
         """
         instance_of(Ocean, ocean, "ocean")
         ocean._need_open()
-        if not ocean._has_velocities:
-            raise ValueError("the ocean has no velocities: create it with velocities=True")
+        if not ocean._has_depth:
+            raise ValueError("the ocean has no depth: create it with depth=True")
         if wakes and not ocean._has_dynamic_waves:
             raise ValueError("the ocean has no dynamic waves: create it with dynamic_waves=pelagic.DynamicWavesOptions()")
         self._ocean, self._wakes = ocean, bool(wakes)

@@ -31,6 +31,9 @@ PELAGIC_EXECUTOR_APPLICATION = 4
 PELAGIC_TEXTURES_DEFAULT = 0
 PELAGIC_TEXTURES_ON = 1
 PELAGIC_TEXTURES_OFF = 2
+PELAGIC_VELOCITIES_NONE = 0
+PELAGIC_VELOCITIES_DRAWN = 1
+PELAGIC_VELOCITIES_WATER = 2
 PELAGIC_HASH_FRAME = 0
 PELAGIC_HASH_FOAM = 1
 PELAGIC_HASH_DYNAMIC_WAVES = 2
@@ -161,6 +164,7 @@ class pelagic_ocean_options(ctypes.Structure):
         ("struct_size", c_uint32),
         ("queries", c_int32),
         ("velocities", c_int32),
+        ("depth", c_int32),
         ("gradients", c_int32),
         ("slopes", c_int32),
         ("foam", c_int32),
@@ -635,8 +639,6 @@ class pelagic_hull_state(ctypes.Structure):
         ("orientation", c_double * 4),
         ("velocity_mps", c_double * 3),
         ("angular_velocity_radps", c_double * 3),
-        ("water_velocity_y_mps", c_double),
-        ("water_rotation_radps", c_double * 3),
         ("submersion", c_double),
         ("has_previous_step", c_int32),
     ]

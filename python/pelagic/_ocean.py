@@ -12,7 +12,7 @@ import ctypes
 import math
 import threading
 from types import TracebackType
-from typing import Any, Iterable, List, Optional, Tuple, Type, get_args
+from typing import Any, Iterable, List, Optional, Tuple, Type, Union, get_args
 
 from numpy.typing import ArrayLike
 
@@ -45,6 +45,14 @@ def _textures(wanted: Optional[bool]) -> int:
     return c.PELAGIC_TEXTURES_DEFAULT if wanted is None else c.PELAGIC_TEXTURES_ON if wanted else c.PELAGIC_TEXTURES_OFF
 
 
+def _velocities(wanted: Union[bool, str]) -> int:
+    names = {False: c.PELAGIC_VELOCITIES_NONE, True: c.PELAGIC_VELOCITIES_DRAWN, "none": c.PELAGIC_VELOCITIES_NONE,
+             "drawn": c.PELAGIC_VELOCITIES_DRAWN, "water": c.PELAGIC_VELOCITIES_WATER}
+    if not isinstance(wanted, (bool, str)) or wanted not in names:
+        raise ValueError(invalid("velocities", repr(wanted), "True, False, none, drawn or water"))
+    return names[wanted]
+
+
 def _sea_of(sea: Any, struct: Any) -> Sea:
     return sea if isinstance(sea, Sea) else Sea._of_library(struct)
 
@@ -63,7 +71,8 @@ class Ocean:
         *,
         # generated from schema/ocean.toml: python-parameters
         queries: bool = True,
-        velocities: bool = False,
+        velocities: Union[bool, str] = False,
+        depth: bool = False,
         gradients: Optional[bool] = None,
         slopes: Optional[bool] = None,
         foam: bool = False,
@@ -81,8 +90,14 @@ class Ocean:
 
         .. generated from schema/ocean.toml: python-arguments
         queries: enables queries of points and rays. N^2 / 8 bytes for each cascade of a frame.
-        velocities: adds velocities to frames and queries. 12 N^2 bytes for each cascade of a
-            frame, and about twice as many transforms.
+        velocities: velocities of frames and queries. Drawn: the derivatives of the drawn
+            displacement in time, in planes of 12 N^2 bytes for each cascade of a frame, with
+            about twice as many transforms. Water: the water's own at the surface by linear
+            theory, for queries, with a quarter of the transforms more; waves shorter than six
+            texels are left out.
+        depth: adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for
+            each cascade of a frame, and about two thirds more transforms. It does not combine
+            with waves pond.
         gradients: gradients of each cascade: normals, Jacobian and smoothness. By default a sea
             with cascades 1 has them, and an ocean whose slopes are off. Slopes and gradients
             cannot both be off.
@@ -129,7 +144,9 @@ class Ocean:
         self._has_changes = False
         first = sea_struct(sea)
         self._sea = _sea_of(sea, first)
-        self._has_velocities, self._has_whitecaps = bool(velocities), bool(foam)
+        kind_of_velocities = _velocities(velocities)
+        self._has_velocities, self._has_depth = kind_of_velocities != c.PELAGIC_VELOCITIES_NONE, bool(depth)
+        self._has_drawn_velocities, self._has_whitecaps = kind_of_velocities == c.PELAGIC_VELOCITIES_DRAWN, bool(foam)
         known: List[Tuple[str, Any, type, Any]] = [
             ("dynamic_waves", dynamic_waves, DynamicWavesOptions, dynamic_waves_struct), ("shore", shore, ShoreOptions, shore_struct),
             ("spray", spray, SprayOptions, spray_struct)]
@@ -137,7 +154,7 @@ class Ocean:
         self._has_dynamic_waves, self._has_shore, self._has_spray = (name in parts for name in ("dynamic_waves", "shore", "spray"))
         if isa is not None and not isinstance(isa, str):
             raise TypeError(invalid("isa", repr(isa), "sse4.2, avx2, avx512 or neon"))
-        options = c.sized(c.pelagic_ocean_options, queries=bool(queries), velocities=bool(velocities), foam=bool(foam), gradients=_textures(gradients),
+        options = c.sized(c.pelagic_ocean_options, queries=bool(queries), velocities=kind_of_velocities, depth=bool(depth), foam=bool(foam), gradients=_textures(gradients),
                           slopes=_textures(slopes), textures_only=not planes, isa=isa.encode() if isa is not None else None,
                           **{name: ctypes.addressof(struct) for name, struct in parts.items()})
         largest_peak_m = number_of(largest_peak_m, "largest_peak_m")

@@ -383,7 +383,7 @@ def sample_undisplaced(frame: Frame, points: Any) -> UndisplacedSamples:
         positions = _Positions(array, None)
         positions.check(lambda i: f"points[{i}]: a coordinate")
         results: UndisplacedSamples = {"displacement": np.empty((positions.count, 3), np.float32)}
-        if ocean._has_velocities:
+        if ocean._has_drawn_velocities:
             results["velocity"] = np.empty((positions.count, 3), np.float32)
         if ocean._has_foam:
             results["foam"] = np.empty(positions.count, np.float32)

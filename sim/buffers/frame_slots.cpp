@@ -56,19 +56,20 @@ Cascade views_of(const CascadeBuffers& buffers, int n, std::size_t lanes) {
 CascadeBuffers::CascadeBuffers(bool is_one, int n, std::size_t lanes, const FrameContents& contents,
                                const Allocator& memory)
     : surface(contents.planes ? surface_floats(n, lanes) : 0, memory),
-      velocity(contents.velocities ? surface_floats(n, lanes) : 0, memory),
+      velocity(contents.has_drawn_velocities() ? surface_floats(n, lanes) : 0, memory),
       rgba16f(4 * static_cast<std::size_t>(n) * n, memory),
       rgba8(contents.gradients ? mip_offset(n, mip_levels(n)) : 0, memory),
       slopes(contents.slopes ? mip_offset(n, mip_levels(n)) : 0, memory),
       moments(slopes.size(), memory),
       compression(contents.foam ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0, memory) {
+    if (contents.has_water_levels()) water.emplace(memory);
     if (contents.queries && is_one) folds.emplace(n, memory);
     if (contents.queries && !is_one) contraction.emplace(n, memory);
 }
 
 std::size_t CascadeBuffers::bytes() const {
     return surface.bytes() + velocity.bytes() + rgba16f.bytes() + rgba8.bytes() + slopes.bytes() + moments.bytes() +
-           compression.bytes() + (folds ? folds->bytes() : 0) +
+           compression.bytes() + (water ? water->bytes() : 0) + (folds ? folds->bytes() : 0) +
            (contraction ? contraction->bytes() : 0);
 }
 

@@ -11,6 +11,7 @@
 #include "pelagic/sim/buffers/contraction_map.hpp"
 #include "pelagic/sim/buffers/double_buffer.hpp"
 #include "pelagic/sim/buffers/fold_map.hpp"
+#include "pelagic/sim/buffers/water_planes.hpp"
 #include "pelagic/sim/buffers/working_surfaces.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/texture_targets.hpp"
@@ -28,8 +29,9 @@ struct CascadeBuffers {
 
     /// Lines, later the surface (kernels/wave_blocks.hpp), if FrameContents::planes.
     AlignedBuffer<float> surface;
-    /// Time derivative of `surface`, if FrameContents::velocities.
+    /// Time derivative of `surface`, if FrameContents::has_drawn_velocities().
     AlignedBuffer<float> velocity;
+    std::optional<WaterPlanes> water;           ///< if FrameContents::has_water_levels()
     std::optional<FoldMap> folds;               ///< if FrameContents::queries, of one cascade
     std::optional<ContractionMap> contraction;  ///< if FrameContents::queries, else
     AlignedBuffer<std::uint16_t> rgba16f;

@@ -86,7 +86,7 @@ void Pond::fill_row(Pass pass, std::size_t row) {
     const auto component = [&](float* planes, SurfaceComponent of) {
         return planes + (row * surface_components + of) * lanes_;
     };
-    const bool with_velocities = slots_.contents().velocities && pass == Pass::frame;
+    const bool with_velocities = slots_.contents().has_drawn_velocities() && pass == Pass::frame;
     const std::size_t n = static_cast<std::size_t>(resolution_), count = std::min(n, chunk_texels);
     std::array<double, chunk_texels> z;
     std::array<float, chunk_texels> footprint;

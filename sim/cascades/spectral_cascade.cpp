@@ -24,6 +24,11 @@ float mean_level_m(double choppiness, const LineStatistics& waves) {
     return static_cast<float>(choppiness * waves.level_m);
 }
 
+/// Returns the depth of the water that the sea's waves feel.
+double water_depth_m(const SeaState& sea) {
+    return sea.waves == WaveModel::spectrum || sea.waves == WaveModel::regular ? sea.depth_m : deep_water.depth_m;
+}
+
 // Lines in a job: few, so that baking a spectrum does not delay frames.
 constexpr std::size_t spectrum_batch = 2;
 
@@ -37,13 +42,23 @@ SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const K
       plan_(resolution_),
       fft_(plan_.tables()),
       plane_bounds_(column_block_pairs(resolution_, kernels_.lanes)),
-      velocity_bounds_(slots_.contents().velocities ? plane_bounds_.size() : 0) {}
+      velocity_bounds_(slots_.contents().has_drawn_velocities() ? plane_bounds_.size() : 0) {
+    if (slots_.contents().has_water_levels())
+        levels_.emplace(resolution_, slots_.contents().depth, kernels_, slots_.memory());
+}
 
 void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
-    graph.add({.name = stage_name("spectrum", cascade_),
-               .count = line_count(resolution_),
-               .batch = spectrum_batch,
-               .body = for_each_item([this](std::size_t line) { spectrum(line); }),
+    const StageId lines_done =
+        graph.add({.name = stage_name("spectrum", cascade_),
+                   .count = line_count(resolution_),
+                   .batch = spectrum_batch,
+                   .body = for_each_item([this](std::size_t line) { spectrum(line); }),
+                   .stack_bytes = stack_margin});
+    if (!levels_) return;
+    graph.add({.name = stage_name("spectrum levels", cascade_),
+               .count = levels_->max_count(),
+               .waits_for = {lines_done},
+               .body = for_each_item([this](std::size_t grid) { bake_levels(grid); }),
                .stack_bytes = stack_margin});
 }
 
@@ -62,6 +77,7 @@ StageId SpectralCascade::add_line_stage(JobGraph& graph, Pass pass, const std::v
 FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const bool is_tick = pass == Pass::tick;
+    if (levels_ && !is_tick) add_level_stage(graph, waits_for);
     const StageId lines_done = add_line_stage(graph, pass, waits_for);
     const StageId surface_done =
         graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", cascade_),
@@ -74,7 +90,7 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
                    }),
                    .stack_bytes = transforms});
     return {surface_done,
-            slots_.contents().velocities && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
+            slots_.contents().has_drawn_velocities() && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
 }
 
 // The time derivative of a sum of waves is a sum of waves, and uses the transforms of the surface.
@@ -96,6 +112,26 @@ StageId SpectralCascade::add_velocity_stages(JobGraph& graph, StageId blend_done
                           columns_finalize(Pass::frame, pair, velocity(), velocity_bounds_[pair], 0);
                       }),
                       .stack_bytes = transforms});
+}
+
+void SpectralCascade::add_level_stage(JobGraph& graph, const std::vector<StageId>& waits_for) {
+    graph.add({.name = stage_name("water levels", cascade_),
+               .count = levels_->max_count(),
+               .waits_for = waits_for,
+               .body = for_each_item([this](std::size_t grid) {
+                   const Shown& shown = shown_[Pass::frame];
+                   levels_->compute({.before = &shown.before->of_levels,
+                                     .after = &shown.after->of_levels,
+                                     .is_blend = shown.is_blend,
+                                     .weight = shown.weight,
+                                     .band_weights = &shown.band_weights,
+                                     .fraction = shown.fraction.turns,
+                                     .first_frequency = shown.first_frequency,
+                                     .cosine = shown.cosine,
+                                     .sine = shown.sine},
+                                    grid, *slots_.buffers(cascade_).water);
+               }),
+               .stack_bytes = levels_->stack_bytes() + stack_margin});
 }
 
 const SpectralCascade::Waves& SpectralCascade::waves_of(std::size_t number) const {
@@ -135,6 +171,7 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     cascade.grid = grid_;
     shown.choppiness = static_cast<float>(choppiness);
     cascade.level_m = shown.level_m = mean_level_m(choppiness, statistics);
+    if (levels_ && pass == Pass::frame) slots_.buffers(cascade_).water->view(levels_->layout(), cascade.water);
     shown.is_idle = moment.whitecaps_only && foam_weight_ == 0;
 }
 
@@ -151,7 +188,12 @@ void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& pla
                        {},
                        PackedSpectrum(plan_, kernels_.lanes, slots_.memory()),
                        std::vector<LineStatistics>(line_count(resolution_)),
-                       std::vector<StatisticsByBand>(line_count(resolution_))});
+                       std::vector<StatisticsByBand>(line_count(resolution_)),
+                       {},
+                       {}});
+    if (!levels_) return;
+    bake_->water = levels_->layout_of(plan, water_depth_m(sea));
+    bake_->of_levels = levels_->empty_spectra(bake_->water);
 }
 
 LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t entry) {
@@ -164,7 +206,9 @@ LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t e
     loop_period_s_ = sea.loop_period_s;
     foam_weight_ = sea.waves == WaveModel::spectrum ? bake_->plan.foam_weight() : 0;
     seas_[entry].emplace(Waves{number, sea.choppiness, std::move(bake_->spectrum), all, std::move(by_band),
-                               slope_ranges(all.mean_square_slope, all.mean_square_convergence)});
+                               slope_ranges(all.mean_square_slope, all.mean_square_convergence),
+                               std::move(bake_->of_levels)});
+    if (levels_) levels_->set_layout(bake_->water);
     bake_.reset();
     return all;
 }
@@ -175,26 +219,19 @@ void SpectralCascade::spectrum(std::size_t line) {
         bake_spectrum_line(bake_->sea, *bake_->waves, plan_, line, bake_->spectrum, &bake_->lines_by_band[line]);
 }
 
+void SpectralCascade::bake_levels(std::size_t grid) {
+    if (grid < bake_->of_levels.size())
+        levels_->bake(bake_->spectrum, plan_, bake_->plan, water_depth_m(bake_->sea), bake_->water.levels.grids[grid],
+                      bake_->of_levels[grid]);
+}
+
 /// Blends the waves of a block of lines for the evolve kernel, if the pass blends two seas.
 void SpectralCascade::blend(Pass pass, std::size_t line_block) {
     Shown& shown = shown_[pass];
     if (!shown.is_blend) return;
     const PackedSpectrum &before = shown.before->spectrum, &after = shown.after->spectrum;
-    float* const out = shown.blended.data() + line_block * before.block_floats();
-    if (shown.band_weights.empty())
-        kernels_.blend_waves({.before = before.block(line_block),
-                              .after = after.block(line_block),
-                              .pairs = before.pairs,
-                              .weight = shown.weight,
-                              .out = out});
-    else
-        kernels_.blend_arriving_waves({.before = before.block(line_block),
-                                       .after = after.block(line_block),
-                                       .harmonics = before.block_harmonics(line_block),
-                                       .pairs = before.pairs,
-                                       .weights = shown.band_weights.data(),
-                                       .last_band = static_cast<std::int32_t>(shown.band_weights.size()) - 1,
-                                       .out = out});
+    blend_waves(kernels_, before, after, line_block, shown.weight, shown.band_weights,
+                shown.blended.data() + line_block * before.block_floats());
 }
 
 EvolveRowsJob SpectralCascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
@@ -238,7 +275,12 @@ std::size_t SpectralCascade::bytes() const {
     std::size_t bytes = sizeof(SpectralCascade) + plan_.bytes() +
                         (plane_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(FrameBounds);
     for (const auto& waves : seas_)
-        if (waves) bytes += waves->spectrum.bytes() + waves->by_band.bytes();
+        if (waves) {
+            bytes += waves->spectrum.bytes() + waves->by_band.bytes();
+            for (const WaterLevelRuns::GridSpectra& of : waves->of_levels)
+                bytes += of.velocity.bytes() + (of.head ? of.head->bytes() : 0);
+        }
+    if (levels_) bytes += levels_->bytes();
     for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();
     return bytes;
 }

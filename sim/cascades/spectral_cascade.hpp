@@ -18,6 +18,7 @@
 #include "pelagic/sim/cascades/packed_spectrum.hpp"
 #include "pelagic/sim/cascades/sea_source.hpp"
 #include "pelagic/sim/cascades/spectrum_cache.hpp"
+#include "pelagic/sim/cascades/water_level_runs.hpp"
 #include "pelagic/sim/kernels/fft_plan.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/sea_state.hpp"
@@ -53,6 +54,8 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
 
    private:
     StageId add_velocity_stages(JobGraph& graph, StageId blend_done);
+    void add_level_stage(JobGraph& graph, const std::vector<StageId>& waits_for);
+    void bake_levels(std::size_t grid);
     void spectrum(std::size_t line);
     void blend(Pass pass, std::size_t line_block);
     EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);
@@ -73,6 +76,7 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
         LineStatistics statistics;
         StatisticsByBand by_band;
         SlopeRanges slope_ranges;
+        WaterLevelRuns::Spectra of_levels;
     };
     const Waves& waves_of(std::size_t number) const;
     std::array<std::optional<Waves>, SpectrumCache::entries> seas_;
@@ -108,8 +112,12 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
         PackedSpectrum spectrum;
         std::vector<LineStatistics> lines;
         std::vector<StatisticsByBand> lines_by_band;
+        WaterLayout water;
+        WaterLevelRuns::Spectra of_levels;
     };
     std::optional<Bake> bake_, staged_;
+
+    std::optional<WaterLevelRuns> levels_;  ///< if FrameContents::has_water_levels()
 
     std::vector<FrameBounds> plane_bounds_;     ///< of each pair of column blocks
     std::vector<FrameBounds> velocity_bounds_;  ///< written by the kernel and not read

@@ -112,7 +112,7 @@ void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
     if (adds_[pass][cascade] == 0) return;
     const std::size_t n = static_cast<std::size_t>(slots_.resolution()), row_count = rows_per_job();
     const std::size_t first_row = job * row_count, texels = row_count * n;
-    const bool with_velocities = slots_.contents().velocities && pass == Pass::frame;
+    const bool with_velocities = slots_.contents().has_drawn_velocities() && pass == Pass::frame;
     CascadeBuffers& buffers = slots_.buffers(cascade);
     Rows surface, velocity;
     FrameBounds bounds;

@@ -30,9 +30,9 @@ std::string check_buffers(const FrameBuffers& buffers, int resolution, const Fra
         {"dx", buffers.dx.size(), texels, contents.planes, "planes"},
         {"height", buffers.height.size(), texels, contents.planes, "planes"},
         {"dz", buffers.dz.size(), texels, contents.planes, "planes"},
-        {"velocity_x", buffers.velocity_x.size(), texels, contents.velocities, "velocities"},
-        {"velocity_y", buffers.velocity_y.size(), texels, contents.velocities, "velocities"},
-        {"velocity_z", buffers.velocity_z.size(), texels, contents.velocities, "velocities"},
+        {"velocity_x", buffers.velocity_x.size(), texels, contents.has_drawn_velocities(), "velocities"},
+        {"velocity_y", buffers.velocity_y.size(), texels, contents.has_drawn_velocities(), "velocities"},
+        {"velocity_z", buffers.velocity_z.size(), texels, contents.has_drawn_velocities(), "velocities"},
         {"displacement_rgba16f", buffers.displacement_rgba16f.size(), 4 * texels, true, {}},
         {"gradient_rgba8", buffers.gradient_rgba8.size(), chain, contents.gradients, "gradients"},
         {"slopes_rgba8", buffers.slopes_rgba8.size(), chain, contents.slopes, "slopes"},
@@ -106,7 +106,7 @@ void copy_compression(const Cascade& cascade, std::span<float> out) {
 void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
     const Cascade& first = frame.cascades.front();
     require(check(cascades, frame.cascades.size(), first.resolution(),
-                  {.velocities = first.velocity_x.data != nullptr,
+                  {.velocities = first.velocity_x.data ? Velocities::drawn : Velocities::none,
                    .gradients = !first.gradient_rgba8.empty(),
                    .slopes = !first.slopes_rgba8.empty(),
                    .planes = first.height.data != nullptr}));

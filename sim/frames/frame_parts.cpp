@@ -17,7 +17,8 @@ std::string check_parts(const Forecast& forecast, const OceanOptions& options) {
         bool is_on;
     };
     for (const Option& option : {Option{"queries", options.queries},
-                                 {"velocities", options.velocities},
+                                 {"velocities", options.velocities != Velocities::none},
+                                 {"depth", options.depth},
                                  {"dynamic_waves", options.dynamic_waves.has_value()},
                                  {"shore", options.shore.has_value()},
                                  {"spray", options.spray.has_value()},
@@ -28,6 +29,9 @@ std::string check_parts(const Forecast& forecast, const OceanOptions& options) {
         if (contents.foam) return "foam cannot be combined with an ocean without slopes";
         if (!contents.gradients) return "gradients and slopes are off, expected one of them on";
     }
+    if (forecast.first.waves == WaveModel::pond && (options.depth || options.velocities == Velocities::water))
+        return std::string(options.depth ? "depth" : "velocities water") +
+               " cannot be combined with waves pond, which have no motion below the surface";
     if (!options.shore) return {};
     if (std::string reason = check(*options.shore, forecast.first); !reason.empty()) return reason;
     return forecast.changes.empty() ? std::string() : "a forecast with changes cannot be combined with a shore";
@@ -40,6 +44,7 @@ FrameContents contents_of(const OceanOptions& options, const SeaState& sea) {
     const bool gradients = options.gradients.value_or(!is_stack || !options.slopes.value_or(true));
     return {.queries = options.queries,
             .velocities = options.velocities,
+            .depth = options.depth,
             .gradients = gradients,
             .slopes = options.slopes.value_or(is_stack || options.foam || !gradients),
             .foam = options.foam,

@@ -20,6 +20,11 @@ inline std::int64_t floor_of(double x) {
     return cut - (static_cast<double>(cut) > x);
 }
 
+/// A position along a cascade's axes, in texels.
+struct TexelPosition {
+    double column, row;
+};
+
 /// Lives on the stack. The 8 KB that one cascade uses fit the first-level cache.
 struct PointChunk {
     static constexpr std::size_t capacity = 128;

@@ -126,6 +126,14 @@ void StackQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chun
     (interpolation_ == Interpolation::cubic ? kernels_.sample_stack.cubic : kernels_.sample_stack.linear)(job);
 }
 
+TexelPosition StackQuery::reference_texels(std::size_t cascade, const PointChunk& chunk, std::size_t point) const {
+    const SearchCascade& of = search_cascades_[cascade];
+    const PointChunk::World& world = chunk.world[cascade];
+    const double x = static_cast<double>(chunk.offset_x[point]), z = static_cast<double>(chunk.offset_z[point]);
+    return {world.cell_x[point] + (static_cast<double>(world.u[point]) + (of.along * x + of.across * z)),
+            world.cell_z[point] + (static_cast<double>(world.v[point]) + (of.along * z - of.across * x))};
+}
+
 void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
     for (std::size_t i = 0; i < foam.size(); ++i) {
         const double x = chunk.x[i] + static_cast<double>(chunk.offset_x[i]);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -15,15 +14,13 @@
 #include "pelagic/sim/buffers/shore_at.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/query/one_cascade_query.hpp"
-#include "pelagic/sim/query/stack_query.hpp"
+#include "pelagic/sim/query/no_sample.hpp"
+#include "pelagic/sim/query/query_chunks.hpp"
+#include "pelagic/sim/query/water_sampler.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-/// Quiet NaN with equal bits on every machine.
-constexpr float no_sample = std::bit_cast<float>(std::uint32_t{0x7fc00000});
 
 const Cascade& finest_of(const Frame& frame) {
     if (frame.cascades.empty())
@@ -120,36 +117,42 @@ void SurfaceQuery::check(const SurfacePoints& points, const SurfaceSamples& want
 
 void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& samples) const {
     check(points, samples);
-    const std::size_t count = points.x.size();
-
     const DefaultFloatEnvironment environment;
-    PointChunk chunk;
-    const auto sample_with = [&](const auto& query) {
-        for (std::size_t first = 0; first < count; first += PointChunk::capacity) {
-            chunk.first = first;
-            chunk.count = std::min(PointChunk::capacity, count - first);
-            chunk.padded = (chunk.count + kernels_->lanes - 1) / kernels_->lanes * kernels_->lanes;
-            const bool all_have_samples = load_positions(points, chunk);
-            query.locate_points(chunk);
-            query.find_reference_points(chunk);
-            query.read(outputs_of(samples, chunk), chunk);
-            if (!samples.foam.empty()) {
-                const std::span<float> foam = samples.foam.subspan(first, chunk.count);
-                if (cascades_have_foam())
-                    query.read_foam(chunk, foam);
-                else
-                    std::fill(foam.begin(), foam.end(), 0.f);
-            }
-            write_samples(samples, chunk);
-            if (frame_.dynamic_waves || frame_.shore) add_dynamic_waves_and_shore(samples, chunk);
-            if (frame_.water_frame != WaterFrame{}) move_to_world(samples, chunk);
-            if (!all_have_samples) remove_missing(points, samples, chunk);
+    const bool has_drawn = frame_.cascades.front().velocity_y.data != nullptr;
+    for_each_chunk(points, [&](const auto& query, PointChunk& chunk, bool all_have_samples) {
+        SampleSurfaceJob::Outputs outputs = outputs_of(samples, chunk);
+        if (!has_drawn) outputs.velocity_x = outputs.velocity_y = outputs.velocity_z = nullptr;
+        query.read(outputs, chunk);
+        if (!has_drawn && has_velocity(samples)) read_water_velocities(query, chunk);
+        if (!samples.foam.empty()) {
+            const std::span<float> foam = samples.foam.subspan(chunk.first, chunk.count);
+            if (cascades_have_foam())
+                query.read_foam(chunk, foam);
+            else
+                std::fill(foam.begin(), foam.end(), 0.f);
         }
-    };
-    if (frame_.cascades.front().contraction.empty())
-        sample_with(OneCascadeQuery(frame_, *kernels_, options_));
-    else
-        sample_with(StackQuery(frame_, *kernels_, options_));
+        write_samples(samples, chunk);
+        if (frame_.dynamic_waves || frame_.shore) add_dynamic_waves_and_shore(samples, chunk);
+        if (frame_.water_frame != WaterFrame{}) move_to_world(samples, chunk);
+        if (!all_have_samples) remove_missing(points, samples, chunk);
+    });
+}
+
+/// Reads the water's own velocity at the surface.
+template <class Query>
+void SurfaceQuery::read_water_velocities(const Query& query, PointChunk& chunk) const {
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+        std::array<float, 3> sum{};
+        for (std::size_t cascade = 0; cascade < frame_.cascades.size(); ++cascade) {
+            const std::array<float, 3> v =
+                surface_velocity(frame_.cascades[cascade], query.reference_texels(cascade, chunk, i));
+            const float weight = frame_.shore ? chunk.weight[cascade][i] : 1;
+            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weight * v[axis];
+        }
+        chunk.velocity_x[i] = sum[0];
+        chunk.velocity_y[i] = sum[1];
+        chunk.velocity_z[i] = sum[2];
+    }
 }
 
 bool SurfaceQuery::has_sample(double x, double z) const {

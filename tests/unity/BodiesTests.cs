@@ -23,7 +23,7 @@ public static class BodiesTests
         waves.Resolution = 64;
         waves.SideM = 32;
         waves.BorderM = 4;
-        return new Ocean(GoldenTests.SmallSea(), new OceanOptions { Queries = true, Velocities = velocities, DynamicWaves = waves, Executor = executor });
+        return new Ocean(GoldenTests.SmallSea(), new OceanOptions { Queries = true, Depth = velocities, DynamicWaves = waves, Executor = executor });
     }
 
     private static Hull Box() => new Hull(Vertices, Triangles, new HullOptions(2500) { RollDamping = 0.125, CentreOfMassM = new[] { 0, -0.125, 0 } });

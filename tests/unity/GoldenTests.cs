@@ -240,7 +240,7 @@ public static unsafe class GoldenTests
             sea.LoopPeriodS = 30;
             using (var waves = WaveInput.Waves(amplitude, wavelength, direction, phase, 0.9))
             using (var rings = WaveInput.Rings(new Ripple { XM = 7.3, ZM = -2.9, WavelengthM = 9, AmplitudeM = 0.5, ReachM = 40 }))
-            using (var ocean = new Ocean(sea, new OceanOptions { Velocities = true, Slopes = Textures.On, Foam = true, Inputs = new[] { waves, rings } }))
+            using (var ocean = new Ocean(sea, new OceanOptions { Velocities = Velocities.Drawn, Slopes = Textures.On, Foam = true, Inputs = new[] { waves, rings } }))
             {
                 var found = new List<ulong>();
                 Note(ocean, 4.321, found);
@@ -286,7 +286,7 @@ public static unsafe class GoldenTests
         rain.RadiusM = 1;
         rain.HeightM = 0.1;
         rain.Seed = 3;
-        using (var ocean = new Ocean(SmallSea(), new OceanOptions { Queries = true, Velocities = true, Foam = true, DynamicWaves = options, Shore = Bay() }))
+        using (var ocean = new Ocean(SmallSea(), new OceanOptions { Queries = true, Velocities = Velocities.Drawn, Foam = true, DynamicWaves = options, Shore = Bay() }))
         {
             var waves = ocean.DynamicWaves;
             waves.SetCenter(0.75, -1);

@@ -34,7 +34,7 @@ public static class OceanFloatingTests
     [Test]
     public static void ATransformFollowsTheHullOfTheCInterface()
     {
-        var behaviour = new OceanBehaviour { Preset = "storm", Resolution = 32, Foam = false, Velocities = true };
+        var behaviour = new OceanBehaviour { Preset = "storm", Resolution = 32, Foam = false, Depth = true };
         var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg, Force = new Vector3(1000, 0, 500) };
         floating.transform.position = new Vector3(3, 0, 4);
         floating.transform.forward = new Vector3(0.6f, 0, 0.8f);
@@ -113,7 +113,7 @@ public static class OceanFloatingTests
         foreach (var frameS in new[] { 1 / 50.0, 1 / 144.0, 1 / 7.0 })
         {
             UnityEngine.Time.timeAsDouble = 0;
-            var behaviour = new OceanBehaviour { Preset = "beaufort-0", Resolution = 32, Foam = false, Velocities = true, DynamicWaves = true };
+            var behaviour = new OceanBehaviour { Preset = "beaufort-0", Resolution = 32, Foam = false, Depth = true, DynamicWaves = true };
             var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg };
             floating.transform.forward = new Vector3(0, 0, 1);
             BehaviourTests.Send(behaviour, "OnEnable");
@@ -150,7 +150,7 @@ public static class OceanFloatingTests
     [Test]
     public static void AHullIsLaunchedAgainInANewOcean()
     {
-        var behaviour = new OceanBehaviour { Preset = "calm", Resolution = 32, Foam = false, Velocities = true };
+        var behaviour = new OceanBehaviour { Preset = "calm", Resolution = 32, Foam = false, Depth = true };
         var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg };
         floating.transform.forward = new Vector3(1, 0, 0);
         for (var round = 0; round < 2; ++round)

@@ -29,7 +29,7 @@ public static class OceanQueriesTests
         using (heights)
         using (normals)
         using (velocities)
-        using (var ocean = new Ocean(Sea.Preset("storm"), new OceanOptions { Queries = true, Velocities = true }))
+        using (var ocean = new Ocean(Sea.Preset("storm"), new OceanOptions { Queries = true, Velocities = Velocities.Drawn }))
         using (var queries = new OceanQueries(ocean))
         {
             GoldenTests.FrameAt(ocean, 12.34);

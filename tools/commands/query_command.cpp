@@ -353,7 +353,7 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(forecast_of(sea),
-                {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true, .shore = shore});
+                {.executor = executor, .isa = compute.isa, .queries = true, .depth = true, .shore = shore});
     ocean.set_water_frame(water);
     const double first_s = times_s.front();
     EventPlayer waves(events, executor, compute.isa, water, HullPlayer::begins_s(first_s));
@@ -400,7 +400,7 @@ void QueryCommand::run() {
     Ocean ocean(forecast_of(sea), {.executor = executor,
                                    .isa = compute.isa,
                                    .queries = true,
-                                   .velocities = true,
+                                   .velocities = Velocities::drawn,
                                    .foam = foam_,
                                    .shore = shore});
     ocean.set_water_frame(water);

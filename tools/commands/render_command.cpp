@@ -87,7 +87,7 @@ class OfflineRenderer {
           ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
                                                   .isa = options.scene.compute.isa,
                                                   .queries = true,
-                                                  .velocities = options.hull.has_value(),
+                                                  .depth = options.hull.has_value(),
                                                   .slopes = true,
                                                   .foam = true,
                                                   .shore = options.scene.shore,

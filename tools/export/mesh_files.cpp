@@ -36,7 +36,7 @@ OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<C
     return {.executor = make_default_executor(options.compute.threads),
             .isa = options.compute.isa,
             .trace = trace,
-            .velocities = options.maps.has(MapKind::velocity),
+            .velocities = options.maps.has(MapKind::velocity) ? Velocities::drawn : Velocities::none,
             .gradients = options.maps.has(MapKind::gradient) ? std::optional(true) : std::nullopt,
             .foam = options.has_foam()};
 }

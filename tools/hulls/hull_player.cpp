@@ -36,7 +36,7 @@ HullPlayer::HullPlayer(const HullLaunch& launch, Ocean& ocean, EventPlayer& wave
       bodies_(std::move(executor), &waves.waves()),
       step_(first_step(first_s)) {
     waves_.follow_hull(launch_.x_m, launch_.z_m);
-    body_ = bodies_.add(*launch_.hull, launch_.hull->at_rest(SurfaceQuery(frame_at(step_)), launch_.x_m, launch_.z_m,
+    body_ = bodies_.add(*launch_.hull, launch_.hull->at_rest(WaterQuery(frame_at(step_)), launch_.x_m, launch_.z_m,
                                                              launch_.heading_rad));
     before_ = bodies_.state(body_);
 }

@@ -111,8 +111,8 @@ class ViewCopier {
     explicit ViewCopier(std::vector<std::shared_ptr<const void>>& memory) : memory_(memory) {}
 
     void copy_views(Cascade& cascade) {
-        auto& [grid, level_m, dx, height, dz, velocity_x, velocity_y, velocity_z, folds, contraction, displacement,
-               gradient, slopes, moments, slope_ranges, compression, snapshots, snapshots_version, drift_columns,
+        auto& [grid, level_m, dx, height, dz, velocity_x, velocity_y, velocity_z, water, folds, contraction,
+               displacement, gradient, slopes, moments, slope_ranges, compression, snapshots, snapshots_version, drift_columns,
                drift_rows, compression_scale, front_x, front_z, slope_variance, bounds] = cascade;
         auto& [blocks, around, largest_m, stretch, steepness] = contraction;
         copy_planes(dx, height, dz, velocity_x, velocity_y, velocity_z);
@@ -120,6 +120,7 @@ class ViewCopier {
         for (auto& image : snapshots) copy(image);
         displacement = {};
         slopes = moments = {};
+        water = {};
     }
     /// Copies all views but those of cascades.
     void copy_views(Frame& frame) {

@@ -16,7 +16,7 @@ namespace Pelagic
         private readonly CallbackRoot root;
 
         /// <summary>
-        /// Creates an empty set in an ocean with queries and velocities. wakes: needs OceanOptions.DynamicWaves.
+        /// Creates an empty set in an ocean with queries and depth. wakes: needs OceanOptions.DynamicWaves.
         /// executor: computes the steps; null for the default one.
         /// </summary>
         public Bodies(Ocean ocean, bool wakes = false, Executor executor = null)

@@ -81,6 +81,13 @@ namespace Pelagic
         Off = 2,
     }
 
+    public enum Velocities
+    {
+        None = 0,
+        Drawn = 1,
+        Water = 2,
+    }
+
     /// <summary>
     /// What a hash of a frame covers. FRAME: all outputs but velocities and what the others cover; it differs between
     /// frames with and without planes.
@@ -709,14 +716,9 @@ namespace Pelagic
         public double VelocityXMps, VelocityYMps, VelocityZMps;
         /// <summary>[-1e4, 1e4]</summary>
         public double AngularVelocityXRadps, AngularVelocityYRadps, AngularVelocityZRadps;
-        /// <summary>
-        /// Of the preceding step: the surface's vertical velocity and rotation at the hull, and fraction of added mass.
-        /// </summary>
-        public double WaterVelocityYMps;
-        public double WaterRotationXRadps, WaterRotationYRadps, WaterRotationZRadps;
-        /// <summary>[0, 1]</summary>
+        /// <summary>of the preceding step: fraction of the added mass; [0, 1]</summary>
         public double Submersion;
-        /// <summary>0: no acceleration of the water and no slamming</summary>
+        /// <summary>0: no slamming</summary>
         public int HasPreviousStep;
     }
 
@@ -804,10 +806,17 @@ namespace Pelagic
         /// </summary>
         public bool Queries;
         /// <summary>
-        /// True adds velocities to frames and queries. 12 N^2 bytes for each cascade of a frame, and about twice as
-        /// many transforms.
+        /// Velocities; velocities of frames and queries. Drawn: the derivatives of the drawn displacement
+        /// in time, in planes of 12 N^2 bytes for each cascade of a frame, with about twice as many transforms. Water:
+        /// the water's own at the surface by linear theory, for queries, with a quarter of the transforms more; waves
+        /// shorter than six texels are left out.
         /// </summary>
-        public bool Velocities;
+        public Velocities Velocities;
+        /// <summary>
+        /// True adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade of a
+        /// frame, and about two thirds more transforms. It does not combine with waves pond.
+        /// </summary>
+        public bool Depth;
         /// <summary>
         /// Textures; gradients of each cascade: normals, Jacobian and smoothness. By default a sea with
         /// cascades 1 has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off.
@@ -836,7 +845,8 @@ namespace Pelagic
         private void CopyTo(ref Native.pelagic_ocean_options native)
         {
             native.queries = Queries ? 1 : 0;
-            native.velocities = Velocities ? 1 : 0;
+            native.velocities = Velocities;
+            native.depth = Depth ? 1 : 0;
             native.gradients = Gradients;
             native.slopes = Slopes;
             native.foam = Foam ? 1 : 0;
@@ -847,7 +857,8 @@ namespace Pelagic
         private void CopyFrom(in Native.pelagic_ocean_options native)
         {
             Queries = native.queries != 0;
-            Velocities = native.velocities != 0;
+            Velocities = native.velocities;
+            Depth = native.depth != 0;
             Gradients = native.gradients;
             Slopes = native.slopes;
             Foam = native.foam != 0;
@@ -1009,7 +1020,8 @@ namespace Pelagic
         {
             internal uint struct_size;
             internal int queries;
-            internal int velocities;
+            internal Velocities velocities;
+            internal int depth;
             internal Textures gradients;
             internal Textures slopes;
             internal int foam;

@@ -32,6 +32,7 @@ constexpr std::string_view ocean_option_names[] = {
     "threads",
     "queries",
     "velocities",
+    "depth",
     "gradients",
     "slopes",
     "foam",
@@ -54,6 +55,16 @@ std::vector<OceanInput> inputs_of(const val& options) {
     return ours;
 }
 
+/// Converts true, false or a name.
+Velocities velocities_of(const val& value) {
+    if (value.isUndefined()) return Velocities::none;
+    if (value.isString())
+        if (const auto named = value_named<Velocities>(value.as<std::string>())) return *named;
+    if (!value.isTrue() && !value.isFalse())
+        throw std::invalid_argument(invalid_value_message("velocities", text_of(value), "true, false, none, drawn or water"));
+    return value.isTrue() ? Velocities::drawn : Velocities::none;
+}
+
 /// \pre `threads` is a number that this module supports (package/module.js)
 OceanOptions ocean_options(const val& options, const SeaState& sea, const std::vector<OceanInput>& inputs) {
     const auto is_wanted = [&](const char* name) {
@@ -67,7 +78,8 @@ OceanOptions ocean_options(const val& options, const SeaState& sea, const std::v
     const int threads = options["threads"].as<int>();
     OceanOptions ours{.executor = threads > 1 ? make_thread_executor(threads) : make_serial_executor(),
                       .queries = is_wanted("queries"),
-                      .velocities = is_wanted("velocities"),
+                      .velocities = velocities_of(options["velocities"]),
+                      .depth = is_wanted("depth"),
                       .gradients = textures("gradients"),
                       .slopes = textures("slopes"),
                       .foam = is_wanted("foam")};

@@ -234,11 +234,14 @@ export interface OceanOptions extends SeaOptions {
   threads?: number;
   /** Enables query() and firstHit(). Default false. */
   queries?: boolean;
+  /** Velocities of frames and queries; true is 'drawn'. */
+  velocities?: boolean | 'none' | 'drawn' | 'water';
   /**
-   * Adds velocities to frames and queries. 12 N^2 bytes for each cascade of a frame, and about
-   * twice as many transforms. Default false.
+   * Adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade
+   * of a frame, and about two thirds more transforms. It does not combine with waves pond.
+   * Default false.
    */
-  velocities?: boolean;
+  depth?: boolean;
   /**
    * Gradients of each cascade: normals, Jacobian and smoothness. By default a sea with cascades 1
    * has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off.

@@ -26,8 +26,10 @@ namespace Pelagic.Unity
         public int Resolution;
         /// <summary>Computes foam.</summary>
         public bool Foam = true;
-        /// <summary>Computes velocities of the surface, which OceanFloating needs.</summary>
+        /// <summary>Computes velocities of the surface for queries.</summary>
         public bool Velocities;
+        /// <summary>Computes pressure and velocity below the surface, which OceanFloating needs.</summary>
+        public bool Depth;
         /// <summary>Computes dynamic waves with DynamicWavesOptions.Default; see Ocean.DynamicWaves.</summary>
         public bool DynamicWaves;
 
@@ -62,7 +64,7 @@ namespace Pelagic.Unity
             var sea = Sea.Preset(Preset);
             if (Resolution != 0) sea.Resolution = Resolution;
             Sea = sea;
-            var options = new OceanOptions { Queries = true, Velocities = Velocities, Slopes = Textures.On, Foam = Foam };
+            var options = new OceanOptions { Queries = true, Velocities = Velocities ? Pelagic.Velocities.Drawn : Pelagic.Velocities.None, Depth = Depth, Slopes = Textures.On, Foam = Foam };
             if (DynamicWaves) options.DynamicWaves = DynamicWavesOptions.Default;
             Ocean = new Ocean(sea, options);
             var info = Ocean.Info;

@@ -1,0 +1,177 @@
+#include "pelagic/sim/water_query.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/buffers/shore_at.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
+#include "pelagic/sim/query/cascade_cell.hpp"
+#include "pelagic/sim/query/no_sample.hpp"
+#include "pelagic/sim/query/query_chunks.hpp"
+#include "pelagic/sim/query/water_sampler.hpp"
+#include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+using Vector3 = std::array<double, 3>;
+
+bool has_acceleration(const WaterSamples& samples) {
+    return !samples.acceleration_x_mps2.empty() || !samples.acceleration_y_mps2.empty() ||
+           !samples.acceleration_z_mps2.empty();
+}
+
+void put(std::span<float> to, std::size_t i, double value) {
+    if (!to.empty()) to[i] = static_cast<float>(value);
+}
+
+/// Returns the height of a cascade's waves at a reference point, without the cascade's level.
+HeadSample surface_head(const Cascade& cascade, const TexelPosition& at, Interpolation interpolation) {
+    const double column = std::floor(at.column), row = std::floor(at.row);
+    const CascadeCell cell(texels_of(cascade), static_cast<int>(column), static_cast<int>(row), interpolation);
+    const CascadeCell::Value height = cell.at(cascade.height.data, at.column - column, at.row - row);
+    return {static_cast<float>(height.value - static_cast<double>(cascade.level_m)),
+            static_cast<float>(height.along_u), static_cast<float>(height.along_v), 0};
+}
+
+}  // namespace
+
+WaterKinematics::WaterKinematics(double water_density_kgpm3, double time_s)
+    : water_density_kgpm3_(water_density_kgpm3), time_s_(time_s) {
+    if (!(water_density_kgpm3 >= 500 && water_density_kgpm3 <= 2000))
+        throw std::invalid_argument(invalid_value_message("water_density_kgpm3", water_density_kgpm3, "[500, 2000]"));
+}
+
+WaterQuery::WaterQuery(const Frame& frame, const WaterQueryOptions& options)
+    : WaterKinematics(options.water_density_kgpm3, frame.time_s), surface_(frame, options.surface) {
+    for (const Cascade& cascade : frame.cascades)
+        if (!cascade.water.has_depth())
+            throw std::invalid_argument(
+                "the frame has no water below its surface: the ocean was created without OceanOptions::depth");
+}
+
+void require_equal_lengths(const WaterPoints& points, const WaterSamples& samples) {
+    const std::size_t count = points.x.size();
+    const auto need = [count](const char* name, std::size_t size, const char* or_else) {
+        if (size != count)
+            throw std::invalid_argument(std::string(name) + " has " + number_text(size) + " elements, expected " +
+                                        number_text(count) + or_else);
+    };
+    need("y", points.y.size(), ", as x has");
+    need("z", points.z.size(), ", as x has");
+    const auto need_room = [&](const char* name, std::span<float> values) {
+        if (!values.empty()) need(name, values.size(), " or none");
+    };
+    need_room("depth_m", samples.depth_m);
+    need_room("pressure_pa", samples.pressure_pa);
+    need_room("velocity_x_mps", samples.velocity_x_mps);
+    need_room("velocity_y_mps", samples.velocity_y_mps);
+    need_room("velocity_z_mps", samples.velocity_z_mps);
+    need_room("acceleration_x_mps2", samples.acceleration_x_mps2);
+    need_room("acceleration_y_mps2", samples.acceleration_y_mps2);
+    need_room("acceleration_z_mps2", samples.acceleration_z_mps2);
+}
+
+void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) const {
+    require_equal_lengths(points, samples);
+    const DefaultFloatEnvironment environment;
+    const Frame& frame = surface_.frame();
+    const std::span<const Cascade> cascades = frame.cascades;
+    const WaterFrame::Origin& origin = surface_.origin_;
+    const Interpolation interpolation = surface_.options_.interpolation;
+    const double water_m = frame.sea.depth_m, pascals_per_m = water_density_kgpm3() * gravity_mps2;
+    const bool has_accelerations = has_acceleration(samples);
+    // the coarsest cascades, which hold waves as long as the footprint
+    std::size_t held = cascades.size();
+    while (held > 1 && cascades[held - 1].water.longest_wave_m < points.footprint_m) --held;
+    surface_.for_each_chunk({points.x, points.z}, [&](const auto& query, PointChunk& chunk, bool) {
+        SampleSurfaceJob::Outputs outputs{};
+        outputs.height = chunk.height;
+        query.read(outputs, chunk);
+        for (std::size_t i = 0; i < chunk.count; ++i) {
+            const std::size_t at = chunk.first + i;
+            const auto weight = [&](std::size_t cascade) {
+                return frame.shore ? static_cast<double>(chunk.weight[cascade][i]) : 1.0;
+            };
+            if (!surface_.has_sample(points.x[at] - origin.x_m, points.z[at] - origin.z_m) ||
+                !std::isfinite(points.y[at])) {
+                for (const std::span<float> values :
+                     {samples.depth_m, samples.pressure_pa, samples.velocity_x_mps, samples.velocity_y_mps,
+                      samples.velocity_z_mps, samples.acceleration_x_mps2, samples.acceleration_y_mps2,
+                      samples.acceleration_z_mps2})
+                    if (!values.empty()) values[at] = no_sample;
+                continue;
+            }
+            // What does not decrease with depth: dynamic waves and a shore.
+            double level_m = 0;
+            for (std::size_t t = 0; t < cascades.size(); ++t)
+                level_m += weight(t) * static_cast<double>(cascades[t].level_m);
+            Vector3 velocity{frame.water_frame.current_x_mps, 0, frame.water_frame.current_z_mps}, gradient{};
+            double other_m = 0;
+            if (frame.dynamic_waves) {
+                const DynamicWavesSample waves = pelagic::sample(frame.dynamic_waves, chunk.x[i], chunk.z[i]);
+                other_m += waves.height_m;
+                velocity[1] += waves.vertical_velocity_mps;
+                gradient[0] += waves.slope_x;
+                gradient[2] += waves.slope_z;
+            }
+            if (frame.shore) {
+                const ShoreAt shore(frame.shore, chunk.x[i], chunk.z[i]);
+                if (shore.is_within()) {
+                    const ShoreAt::Cubic height = shore.cubic(frame.shore.height_m);
+                    const auto [x_mps, z_mps] = shore.velocity();
+                    other_m += height.value;
+                    gradient[0] += height.along_x;
+                    gradient[2] += height.along_z;
+                    velocity[0] += x_mps;
+                    velocity[1] += shore.cubic(frame.shore.vertical_velocity_mps).value;
+                    velocity[2] += z_mps;
+                }
+            }
+            double height_m = static_cast<double>(chunk.height[i]) + other_m, waves_m = height_m - other_m - level_m;
+            for (std::size_t t = held; t < cascades.size(); ++t) {
+                const double left_out = weight(t) * static_cast<double>(surface_head(cascades[t],
+                                                                                     query.reference_texels(t, chunk, i),
+                                                                                     interpolation).value);
+                height_m -= left_out;
+                waves_m -= left_out;
+            }
+            const double y = points.y[at] - origin.y_m, depth_m = height_m - y;
+            const double stretched_m =
+                std::min(std::max(depth_m * (water_m / std::max(water_m + height_m, 0.01 * water_m)), 0.0), water_m);
+            double head_m = 0;
+            for (std::size_t t = 0; t < held; ++t) {
+                const Cascade& cascade = cascades[t];
+                const TexelPosition texels = query.reference_texels(t, chunk, i);
+                const HeadSample surface = surface_head(cascade, texels, interpolation);
+                const WaterMotion motion = motion_at(cascade, stretched_m, texels, surface, has_accelerations);
+                head_m += weight(t) * static_cast<double>(motion.head.value);
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    velocity[axis] += weight(t) * static_cast<double>(motion.velocity_mps[axis]);
+                if (!has_accelerations) continue;
+                const auto [x, z] = cascade.grid.in_world(static_cast<double>(motion.head.along) / cascade.texel_m(),
+                                                          static_cast<double>(motion.head.across) / cascade.texel_m());
+                gradient[0] += weight(t) * x;
+                gradient[1] -= weight(t) * static_cast<double>(motion.head.down);
+                gradient[2] += weight(t) * z;
+            }
+            put(samples.depth_m, at, depth_m);
+            // The sum is the depth at the surface, without rounding errors of the waves' sums.
+            put(samples.pressure_pa, at,
+                depth_m > 0 ? pascals_per_m * (depth_m + (head_m - waves_m)) : 0);
+            put(samples.velocity_x_mps, at, velocity[0]);
+            put(samples.velocity_y_mps, at, velocity[1]);
+            put(samples.velocity_z_mps, at, velocity[2]);
+            put(samples.acceleration_x_mps2, at, -gravity_mps2 * gradient[0]);
+            put(samples.acceleration_y_mps2, at, -gravity_mps2 * gradient[1]);
+            put(samples.acceleration_z_mps2, at, -gravity_mps2 * gradient[2]);
+        }
+    });
+}
+
+}  // namespace pelagic
