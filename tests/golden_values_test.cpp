@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pelagic/floating/floating_bodies.hpp"
+#include "pelagic/sim/exact_water.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_executor.hpp"
@@ -103,6 +104,28 @@ TEST_P(GoldenValues, OfASeaLevelAndACurrent) {
     GoldenRows rows("lifted");
     for (std::size_t i = 0; i < height.size(); ++i) rows.row(std::to_string(i), {height[i]});
     rows.expect();
+}
+
+TEST_P(GoldenValues, OfExactWater) {
+    const ExactWater water =
+        ExactWater(golden_sea, {.executor = GetParam().executor(), .isa = GetParam().isa}).at(12.5);
+    const std::vector<double> y = {-1.5, -0.25, -20, 0, 1, -3, -100, -4000};
+    std::array<std::array<float, 8>, 8> of{};
+    std::array<std::array<float, 8>, 4> surface{};
+    water.sample({golden_x, y, golden_z}, {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]});
+    water.sample_surface({golden_x, golden_z}, {.height_m = surface[0],
+                                                .velocity_x_mps = surface[1],
+                                                .velocity_y_mps = surface[2],
+                                                .velocity_z_mps = surface[3]});
+    GoldenRows below("exact"), above("exact-surface");
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        below.begin(std::to_string(i));
+        for (const auto& values : of) below.add(values[i]);
+        above.begin(std::to_string(i));
+        for (const auto& values : surface) above.add(values[i]);
+    }
+    below.expect();
+    above.expect();
 }
 
 // Between two ticks, with droplets of an emitter first.

@@ -16,6 +16,7 @@
 #include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/sim/kernels/input_jobs.hpp"
 #include "pelagic/sim/kernels/shore_jobs.hpp"
+#include "pelagic/sim/kernels/wave_sum_jobs.hpp"
 
 namespace pelagic {
 
@@ -447,6 +448,9 @@ struct Kernels {
     void (*add_waves)(const AddWavesJob&);
     void (*add_ripple)(const AddRippleJob&);
     bool (*add_rows)(const AddRowsJob&);  ///< returns false if a value is too large or NaN
+    void (*move_waves)(const MoveWavesJob&);
+    void (*sum_heights)(const SumHeightsJob&);
+    void (*sum_water)(const SumWaterJob&);
 };
 
 /// Returns the kernel table of an instruction set. \pre runs_here(isa)

@@ -19,6 +19,7 @@
 #include "pelagic/sim/kernels/snapshots.kernel.hpp"
 #include "pelagic/sim/kernels/stack_query.kernel.hpp"
 #include "pelagic/sim/kernels/surface_query.kernel.hpp"
+#include "pelagic/sim/kernels/wave_sums.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
 #define PELAGIC_TABLE(name) PELAGIC_JOINED(kernels_, name)
@@ -65,6 +66,9 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::add_waves<xsimd::PELAGIC_ISA_ARCH>,
     kernels::add_ripple<xsimd::PELAGIC_ISA_ARCH>,
     kernels::add_rows<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::move_waves<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::sum_heights<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::sum_water<xsimd::PELAGIC_ISA_ARCH>,
 };
 
 }  // namespace pelagic

@@ -1,6 +1,7 @@
 // Positions of a batch that the kernels process together.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -14,6 +15,9 @@ inline constexpr double query_aim = 1.0 / 64;
 
 /// Distance from the origin, in texels, beyond which doubles do not resolve texels.
 inline constexpr double max_texels_away = 0x1p50;
+
+/// Result of a position without a sample: a quiet NaN with equal bits on every machine.
+inline constexpr float no_sample = std::bit_cast<float>(std::uint32_t{0x7fc00000});
 
 inline std::int64_t floor_of(double x) {
     const auto cut = static_cast<std::int64_t>(x);

@@ -1,0 +1,98 @@
+// The exact sum over the waves of a sea: surface, pressure, velocity and acceleration of its water at
+// any position and depth, wave by wave, for servers and tests.
+//
+//   ExactWater water(sea);
+//   water.set_time(12.5);
+//   water.sample({.x = xs, .y = ys, .z = zs}, {.pressure_pa = pressures, .velocity_y_mps = rise});
+//
+// The waves are those of frames of an Ocean, with equal phases: with choppiness 0 a texel has the
+// height of this sum at its position. The sum is that of linear theory at fixed positions
+// (water_kinematics.hpp). Choppiness and lean, which displace the drawn surface, have no part in it.
+//
+// Frequencies are those of the loop, so accelerations equal the rate of change of velocities within the
+// loop's rounding of the square of each frequency. Surface tension changes frequencies only. The second
+// harmonic of a regular wave is the whole one of Stokes, and it moves the water as a wave of its own.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/water_frame.hpp"
+#include "pelagic/sim/water_kinematics.hpp"
+
+namespace pelagic {
+
+enum class Isa;
+
+struct ExactWaterOptions {
+    double density_kgm3 = 1025;   ///< of the water; (0, 10000]
+    WaterFrame water_frame = {};  ///< sea level and current
+    /// Computes the waves at construction. Null: the calling thread.
+    std::shared_ptr<Executor> executor = {};
+    std::optional<Isa> isa = {};  ///< as OceanOptions::isa; results are bit-identical
+};
+
+/// The water of a sea at one moment. A sample takes time in proportion to wave_count(), some 25
+/// microseconds for four cascades of 128. Results do not depend on the other points, the thread or
+/// the instruction set.
+class ExactWater final : public WaterKinematics {
+   public:
+    /// Computes the waves, and moves them to the time 0.
+    /// \throws std::invalid_argument  check(sea), unless it is empty; for a pond, whose octaves are no
+    ///                                linear waves; for an option out of range; what choose_isa() throws
+    explicit ExactWater(const SeaState& sea, const ExactWaterOptions& options = {});
+    ~ExactWater() override;
+    ExactWater(ExactWater&&) noexcept;
+    ExactWater& operator=(ExactWater&&) noexcept;
+
+    /// Moves the water to a time. It takes about as long as a sample, and allocates nothing.
+    /// \pre no other thread uses this object
+    /// \throws std::invalid_argument  if the time is not finite
+    void set_time(double time_s);
+    /// Returns the water at another time. Both share the waves. Thread-safe.
+    /// \throws std::invalid_argument  if the time is not finite
+    ExactWater at(double time_s) const;
+
+    double time_s() const { return time_s_; }
+    /// Returns the depth below the mean level, metres. Analytic seas have 1e7.
+    double depth_m() const;
+    /// Returns the number of wave vectors. Each has two waves, which run in opposite directions.
+    std::size_t wave_count() const;
+
+    /// \throws std::invalid_argument  before it writes, for spans of another length than the points, or
+    ///                                a point below the floor: "y[3] is -60, expected at least -50,
+    ///                                the sea floor"
+    void sample(const WaterPoints& points, const WaterSamples& samples) const override;
+    /// Checks points and arrays. \throws std::invalid_argument  what sample() throws
+    void check(const WaterPoints& points, const WaterSamples& samples) const;
+
+    /// Samples the undisplaced surface: its height, its normal, and the velocity of the water there.
+    /// The Jacobian is 1, the error 0, and each position with a sample has converged. Thread-safe.
+    /// \throws std::invalid_argument  before it writes, for spans of another length than the points,
+    ///                                or foam
+    void sample_surface(const SurfacePoints& points, const SurfaceSamples& samples) const;
+    /// Checks points and arrays. \throws std::invalid_argument  what sample_surface() throws
+    void check(const SurfacePoints& points, const SurfaceSamples& samples) const;
+
+   private:
+    struct Waves;
+    struct Moment;
+    struct Chunk;
+
+    explicit ExactWater(std::shared_ptr<const Waves> waves);
+    bool has_sample(double x, double z) const;
+    template <class Points>
+    void load_positions(const Points& points, Chunk& chunk) const;
+    void sum_heights(Chunk& chunk) const;
+    void sum_water(Chunk& chunk) const;
+
+    std::shared_ptr<const Waves> waves_;
+    std::unique_ptr<Moment> moment_;
+    double time_s_ = 0;
+};
+
+}  // namespace pelagic
