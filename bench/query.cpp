@@ -16,6 +16,7 @@
 
 #include "pelagic/bench/peers/scalar_query.hpp"
 #include "pelagic/sim/buffers/surface_texels.hpp"
+#include "pelagic/sim/exact_water.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
@@ -135,6 +136,34 @@ void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool quer
                             ocean.resolution() * ocean.resolution());
 }
 
+/// Times the exact sum at random points down to 20 m, in waves (wave vectors times points) per second.
+void time_exact(benchmark::State& state, const SeaState& sea, Isa isa) {
+    constexpr std::size_t points = 256;
+    const ExactWater water(sea, {.isa = isa});
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> anywhere(-1000, 1000), depth(0, 20);
+    std::vector<double> x(points), y(points), z(points);
+    for (std::size_t i = 0; i < points; ++i) x[i] = anywhere(random), y[i] = 0 - depth(random), z[i] = anywhere(random);
+    std::vector<std::vector<float>> out(8, std::vector<float>(points));
+    const WaterSamples samples{out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7]};
+    for (auto _ : state) {
+        water.sample({x, y, z}, samples);
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points * water.wave_count()));
+}
+
+/// Times ExactWater::set_time().
+void time_exact_move(benchmark::State& state, const SeaState& sea, Isa isa) {
+    ExactWater water(sea, {.isa = isa});
+    double time_s = 0;
+    for (auto _ : state) {
+        water.set_time(time_s += 1.0 / 72);
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(water.wave_count()));
+}
+
 void register_queries(const SeaState& sea, const std::string& size) {
     using benchmark::RegisterBenchmark;
     for (const Isa isa : isas_here()) {
@@ -157,6 +186,8 @@ void register_queries(const SeaState& sea, const std::string& size) {
                 ->Unit(benchmark::kMicrosecond);
         };
         RegisterBenchmark(("ray" + suffix).c_str(), time_ray, sea, isa)->Unit(benchmark::kMicrosecond);
+        RegisterBenchmark(("exact" + suffix).c_str(), time_exact, sea, isa)->Unit(benchmark::kMicrosecond);
+        RegisterBenchmark(("exact-move" + suffix).c_str(), time_exact_move, sea, isa)->Unit(benchmark::kMicrosecond);
         add_frame("frame", false, Velocities::none);
         add_frame("frame+queries", true, Velocities::none);
         add_frame("frame+queries+velocities", true, Velocities::drawn);
