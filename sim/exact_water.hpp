@@ -17,8 +17,11 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/message/numeric_field.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/water_frame.hpp"
@@ -29,12 +32,20 @@ namespace pelagic {
 enum class Isa;
 
 struct ExactWaterOptions {
-    double density_kgm3 = 1025;   ///< of the water; (0, 10000]
-    WaterFrame water_frame = {};  ///< sea level and current
-    /// Computes the waves at construction. Null: the calling thread.
+    // generated from schema/exact_water.toml: members
+    double water_density_kgpm3 = 1025;  ///< density of the water; [500, 2000]
+    WaterFrame water_frame = {};        ///< sea level and current
+    /// Executor that computes the waves at construction. Null: the calling thread.
     std::shared_ptr<Executor> executor = {};
-    std::optional<Isa> isa = {};  ///< as OceanOptions::isa; results are bit-identical
+    std::optional<Isa> isa = {};  ///< instruction set, as OceanOptions::isa
+    // end of generated
 };
+
+/// Returns the table of its fields.
+std::span<const NumericField<ExactWaterOptions>> exact_water_fields();
+
+/// Returns an empty string for usable options, else a message about the first invalid field.
+std::string check(const ExactWaterOptions& options);
 
 /// The water of a sea at one moment. A sample takes time in proportion to wave_count(), some 25
 /// microseconds for four cascades of 128. Results do not depend on the other points, the thread or

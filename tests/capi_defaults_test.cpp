@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "pelagic/capi/c_dynamic_waves.hpp"
+#include "pelagic/capi/c_exact_water.hpp"
 #include "pelagic/capi/c_hull.hpp"
 #include "pelagic/capi/c_ocean.hpp"
 #include "pelagic/capi/c_sea.hpp"
@@ -59,6 +60,9 @@ TEST(CInterfaceDefaults, AreThoseOfTheCppInterface) {
     EXPECT_EQ(members(ocean_options_of(pelagic_ocean_options_make())), members(OceanOptions{}));
     const pelagic_water_frame water = pelagic_water_frame_make();
     EXPECT_EQ(water_frame_of(&water), WaterFrame{});
+    const ExactWaterOptions exact = exact_water_options_of(pelagic_exact_water_options_make());
+    expect_equal(exact, ExactWaterOptions{}, exact_water_fields());
+    EXPECT_TRUE(exact.water_frame == WaterFrame{} && !exact.executor && !exact.isa);
 }
 
 // Without samples a shore is invalid, so it has two by two.

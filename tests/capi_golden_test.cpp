@@ -175,6 +175,67 @@ TEST(CInterfaceGolden, AnOceanWithDynamicWavesAndAShore) {
     EXPECT_FALSE(hit.is_hit);
 }
 
+TEST(CInterfaceGolden, ExactWater) {
+    constexpr std::array<double, 8> y = {-1.5, -0.25, -20, 0, 1, -3, -100, -4000};
+    const COceanExecutor executor = executor_of(PELAGIC_EXECUTOR_THREADS, 2);
+    auto options = pelagic_exact_water_options_make();
+    options.executor = executor.get();
+    const pelagic_sea sea = golden_sea();
+    pelagic_exact_water* water = nullptr;
+    ASSERT_EQ(pelagic_exact_water_create(&sea, &options, &water), PELAGIC_OK) << pelagic_last_error();
+    ASSERT_EQ(pelagic_exact_water_set_time(water, 12.5), PELAGIC_OK);
+    std::array<std::array<float, 8>, 8> of{};
+    std::array<std::array<float, 8>, 4> surface{};
+    for (const std::int32_t parallel : {0, 1}) {
+        auto points = pelagic_water_points_make();
+        points.count = y.size(), points.parallel = parallel;
+        points.x = golden_x.data(), points.y = y.data(), points.z = golden_z.data();
+        auto samples = pelagic_water_samples_make();
+        samples.depth_m = of[0].data(), samples.pressure_pa = of[1].data();
+        samples.velocity_x_mps = of[2].data(), samples.velocity_y_mps = of[3].data();
+        samples.velocity_z_mps = of[4].data(), samples.acceleration_x_mps2 = of[5].data();
+        samples.acceleration_y_mps2 = of[6].data(), samples.acceleration_z_mps2 = of[7].data();
+        ASSERT_EQ(pelagic_exact_water_sample(water, &points, &samples), PELAGIC_OK) << pelagic_last_error();
+        pelagic_points above = golden_points();
+        above.parallel = parallel;
+        auto there = pelagic_samples_make();
+        there.height_m = surface[0].data(), there.velocity_x_mps = surface[1].data();
+        there.velocity_y_mps = surface[2].data(), there.velocity_z_mps = surface[3].data();
+        ASSERT_EQ(pelagic_exact_water_sample_surface(water, &above, &there), PELAGIC_OK) << pelagic_last_error();
+        GoldenRows below_rows("exact"), surface_rows("exact-surface");
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            below_rows.begin(std::to_string(i));
+            for (const auto& values : of) below_rows.add(values[i]);
+            surface_rows.begin(std::to_string(i));
+            for (const auto& values : surface) surface_rows.add(values[i]);
+        }
+        below_rows.expect();
+        surface_rows.expect();
+
+        const double deep = -4001;
+        points.count = 1, points.y = &deep;
+        expect_rejected(pelagic_exact_water_sample(water, &points, &samples),
+                        "y[0] is -4001, expected at least -4000, the sea floor");
+        points.y = nullptr;
+        expect_rejected(pelagic_exact_water_sample(water, &points, &samples),
+                        "points.y is NULL, expected a pointer");
+        there.foam = of[0].data();
+        expect_rejected(pelagic_exact_water_sample_surface(water, &above, &there), "exact water has no foam");
+    }
+    expect_rejected(pelagic_exact_water_set_time(water, std::bit_cast<double>(0x7ff8000000000000)),
+                    "time_s is nan, expected a finite number");
+    pelagic_exact_water_destroy(water);
+    pelagic_sea pond = golden_sea();
+    pond.waves = PELAGIC_WAVES_POND, pond.cascades = 0;
+    expect_rejected(pelagic_exact_water_create(&pond, nullptr, &water),
+                    "waves is pond, expected spectrum, analytic or regular");
+    EXPECT_EQ(water, nullptr);
+    options.water_density_kgpm3 = 0;
+    expect_rejected(pelagic_exact_water_create(&sea, &options, &water),
+                    "water_density_kgpm3 0 is out of range [500, 2000]");
+    pelagic_exact_water_destroy(nullptr);
+}
+
 TEST(CInterfaceGolden, ASeaLevelAndACurrent) {
     auto options = pelagic_ocean_options_make();
     options.queries = 1;

@@ -165,6 +165,23 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
     water_frame.sea_level_m = 2;
     expect_read_in_every_size(
         water_frame, [&](pelagic_water_frame* wanted) { return pelagic_ocean_set_water_frame(ocean.get(), wanted); });
+    const pelagic_sea small = small_sea();
+    pelagic_exact_water* exact = nullptr;
+    expect_read_in_every_size(pelagic_exact_water_options_make(), [&](pelagic_exact_water_options* wanted) {
+        pelagic_exact_water_destroy(exact);
+        return pelagic_exact_water_create(&small, wanted, &exact);
+    });
+    pelagic_exact_water_destroy(exact);
+    ASSERT_EQ(pelagic_exact_water_create(&small, nullptr, &exact), PELAGIC_OK);
+    auto water_samples = pelagic_water_samples_make();
+    auto water_points = pelagic_water_points_make();
+    expect_read_in_every_size(water_points, [&](pelagic_water_points* wanted) {
+        return pelagic_exact_water_sample(exact, wanted, &water_samples);
+    });
+    expect_read_in_every_size(water_samples, [&](pelagic_water_samples* wanted) {
+        return pelagic_exact_water_sample(exact, &water_points, wanted);
+    });
+    pelagic_exact_water_destroy(exact);
     auto ray = pelagic_ray_make();
     ray.direction[1] = -1;
     expect_read_in_every_size(ray, [&](pelagic_ray* asked) {

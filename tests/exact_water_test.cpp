@@ -412,7 +412,8 @@ TEST(ExactWater, RejectsInvalidInputOnOneLine) {
     EXPECT_EQ(error_of([&] { water.sample_surface({x, z}, {.foam = out}); }), "exact water has no foam");
     EXPECT_EQ(error_of([&] { ExactWater({.waves = WaveModel::pond}); }),
               "waves is pond, expected spectrum, analytic or regular");
-    EXPECT_EQ(error_of([&] { ExactWater(sea, {.density_kgm3 = 0}); }), "density_kgm3 0 is out of range (0, 10000]");
+    EXPECT_EQ(error_of([&] { ExactWater(sea, {.water_density_kgpm3 = 0}); }),
+              "water_density_kgpm3 0 is out of range [500, 2000]");
     EXPECT_EQ(error_of([&] { (void)water.at(std::nan("")); }), "time_s is nan, expected a finite number");
     EXPECT_EQ(error_of([&] { ExactWater({.wind_speed_mps = -3}); }), "wind_speed_mps -3 is out of range (0, 60]");
 }

@@ -582,6 +582,41 @@ class pelagic_hit(ctypes.Structure):
     ]
 
 
+class pelagic_exact_water_options(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("water_density_kgpm3", c_double),
+        ("water_frame", POINTER(pelagic_water_frame)),
+        ("executor", c_void_p),
+        ("isa", c_char_p),
+    ]
+
+
+class pelagic_water_points(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("parallel", c_int32),
+        ("count", c_size_t),
+        ("x", c_void_p),
+        ("y", c_void_p),
+        ("z", c_void_p),
+    ]
+
+
+class pelagic_water_samples(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("depth_m", c_void_p),
+        ("pressure_pa", c_void_p),
+        ("velocity_x_mps", c_void_p),
+        ("velocity_y_mps", c_void_p),
+        ("velocity_z_mps", c_void_p),
+        ("acceleration_x_mps2", c_void_p),
+        ("acceleration_y_mps2", c_void_p),
+        ("acceleration_z_mps2", c_void_p),
+    ]
+
+
 class pelagic_hull_mesh(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -719,6 +754,9 @@ STRUCTS = [
     pelagic_samples,
     pelagic_ray,
     pelagic_hit,
+    pelagic_exact_water_options,
+    pelagic_water_points,
+    pelagic_water_samples,
     pelagic_hull_mesh,
     pelagic_hull_options,
     pelagic_hull_info,
@@ -799,6 +837,9 @@ DEFAULTS: Dict[Any, Dict[str, Any]] = {
     pelagic_ripple: {
         "wavelength_m": 1,
     },
+    pelagic_exact_water_options: {
+        "water_density_kgpm3": 1025,
+    },
     pelagic_hull_options: {
         "heave_damping": 0.2,
         "roll_damping": 0.05,
@@ -873,6 +914,11 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "pelagic_ocean_query_series": (c_int32, [c_void_p, c_void_p, c_size_t, c_void_p, POINTER(pelagic_points), POINTER(pelagic_samples), POINTER(pelagic_frame)]),
     "pelagic_ocean_sample_undisplaced": (c_int32, [c_void_p, POINTER(pelagic_points), c_void_p, c_void_p, c_void_p]),
     "pelagic_ocean_first_hit": (c_int32, [c_void_p, POINTER(pelagic_ray), POINTER(pelagic_hit)]),
+    "pelagic_exact_water_create": (c_int32, [POINTER(pelagic_sea), POINTER(pelagic_exact_water_options), c_void_p]),
+    "pelagic_exact_water_destroy": (None, [c_void_p]),
+    "pelagic_exact_water_set_time": (c_int32, [c_void_p, c_double]),
+    "pelagic_exact_water_sample": (c_int32, [c_void_p, POINTER(pelagic_water_points), POINTER(pelagic_water_samples)]),
+    "pelagic_exact_water_sample_surface": (c_int32, [c_void_p, POINTER(pelagic_points), POINTER(pelagic_samples)]),
     "pelagic_hull_create": (c_int32, [POINTER(pelagic_hull_mesh), POINTER(pelagic_hull_options), c_void_p]),
     "pelagic_hull_destroy": (None, [c_void_p]),
     "pelagic_hull_describe": (c_int32, [c_void_p, POINTER(pelagic_hull_info)]),

@@ -53,17 +53,30 @@ void require_lengths(std::size_t count, const auto&... spans) {
     ((spans.second.empty() ? void() : require_length(spans.first, spans.second.size(), count, " or none")), ...);
 }
 
+constexpr NumericField<ExactWaterOptions> exact_water_field_table[] = {
+    // generated from schema/exact_water.toml: table
+    {"water_density_kgpm3", &ExactWaterOptions::water_density_kgpm3, 500, 2000, "[500, 2000]"},
+    // end of generated
+};
+
 void write(std::span<float> to, std::size_t at, double value) {
     if (!to.empty()) to[at] = static_cast<float>(value);
 }
 
 }  // namespace
 
+std::span<const NumericField<ExactWaterOptions>> exact_water_fields() { return exact_water_field_table; }
+
+std::string check(const ExactWaterOptions& options) {
+    const std::string reason = check_fields(options, exact_water_field_table);
+    return reason.empty() ? check(options.water_frame) : reason;
+}
+
 /// What an ExactWater shares with those at other times.
 struct ExactWater::Waves {
     Waves(const SeaState& asked, const ExactWaterOptions& options)
         : kernels(kernels_for(choose_isa(options.isa))),
-          density_kgm3(options.density_kgm3),
+          density_kgpm3(options.water_density_kgpm3),
           frame(options.water_frame),
           loop_period_s(asked.loop_period_s) {
         const SeaState sea = undisplaced(asked);
@@ -85,7 +98,7 @@ struct ExactWater::Waves {
     }
 
     const Kernels& kernels;
-    double density_kgm3;
+    double density_kgpm3;
     WaterFrame frame;
     double loop_period_s;
     double depth_m = 0;
@@ -128,13 +141,11 @@ struct ExactWater::Chunk {
 
 ExactWater::ExactWater(const SeaState& sea, const ExactWaterOptions& options) {
     const DefaultFloatEnvironment environment;
-    for (const std::string& message : {pelagic::check(sea), pelagic::check(options.water_frame)})
+    for (const std::string& message : {pelagic::check(sea), pelagic::check(options)})
         if (!message.empty()) throw std::invalid_argument(message);
     if (sea.waves == WaveModel::pond)
         throw std::invalid_argument(
             invalid_value_message("waves", name_of(sea.waves), "spectrum, analytic or regular"));
-    if (!(options.density_kgm3 > 0 && options.density_kgm3 <= 10000))
-        throw std::invalid_argument(invalid_value_message("density_kgm3", options.density_kgm3, "(0, 10000]"));
     waves_ = std::make_shared<const Waves>(sea, options);
     moment_ = std::make_unique<Moment>(*waves_);
     set_time(0);
@@ -306,7 +317,7 @@ void ExactWater::sample(const WaterPoints& points, const WaterSamples& samples) 
             const std::array<double, Job::sums>& sums = chunk.sums[i];
             const bool is_water = chunk.depth[i] >= 0;
             write(samples.pressure_pa, at,
-                  is_water ? waves_->density_kgm3 * gravity_mps2 * (sums[Job::head] - y) : 0);
+                  is_water ? waves_->density_kgpm3 * gravity_mps2 * (sums[Job::head] - y) : 0);
             write(samples.velocity_x_mps, at, is_water ? sums[Job::along] + frame.current_x_mps : 0);
             write(samples.velocity_y_mps, at, sums[Job::up]);
             write(samples.velocity_z_mps, at, is_water ? sums[Job::across] + frame.current_z_mps : 0);

@@ -1328,6 +1328,41 @@ namespace Pelagic
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        internal struct pelagic_exact_water_options
+        {
+            internal uint struct_size;
+            internal double water_density_kgpm3;
+            internal WaterFrame* water_frame;
+            internal IntPtr executor;
+            internal byte* isa;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct pelagic_water_points
+        {
+            internal uint struct_size;
+            internal int parallel;
+            internal UIntPtr count;
+            internal double* x;
+            internal double* y;
+            internal double* z;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct pelagic_water_samples
+        {
+            internal uint struct_size;
+            internal float* depth_m;
+            internal float* pressure_pa;
+            internal float* velocity_x_mps;
+            internal float* velocity_y_mps;
+            internal float* velocity_z_mps;
+            internal float* acceleration_x_mps2;
+            internal float* acceleration_y_mps2;
+            internal float* acceleration_z_mps2;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_hull_mesh
         {
             internal uint struct_size;
@@ -1491,6 +1526,15 @@ namespace Pelagic
             {
                 struct_size = (uint)sizeof(Ripple),
                 WavelengthM = 1,
+            };
+        }
+
+        internal static pelagic_exact_water_options pelagic_exact_water_options_make()
+        {
+            return new pelagic_exact_water_options
+            {
+                struct_size = (uint)sizeof(pelagic_exact_water_options),
+                water_density_kgpm3 = 1025,
             };
         }
 
@@ -1719,6 +1763,21 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_first_hit(IntPtr ocean, Ray* ray, Hit* hit);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_exact_water_create(Sea* sea, pelagic_exact_water_options* options, IntPtr* water);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void pelagic_exact_water_destroy(IntPtr water);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_exact_water_set_time(IntPtr water, double time_s);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_exact_water_sample(IntPtr water, pelagic_water_points* points, pelagic_water_samples* samples);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_exact_water_sample_surface(IntPtr water, pelagic_points* points, pelagic_samples* samples);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_hull_create(pelagic_hull_mesh* mesh, pelagic_hull_options* options, IntPtr* hull);

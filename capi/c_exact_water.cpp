@@ -1,0 +1,158 @@
+// C interface of the exact sum over waves.
+#include "pelagic/capi/c_exact_water.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "pelagic/capi/c_executor.hpp"
+#include "pelagic/capi/c_ocean.hpp"
+#include "pelagic/capi/c_sea.hpp"
+#include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/sim/exact_water_jobs.hpp"
+
+struct pelagic_exact_water {
+    /// Calls sample(jobs) with jobs that no other thread uses.
+    template <class Sample>
+    void with_jobs(Sample sample) const {
+        std::unique_ptr<pelagic::ExactWaterJobs> jobs;
+        {
+            const std::lock_guard lock(mutex);
+            if (!idle.empty()) {
+                jobs = std::move(idle.back());
+                idle.pop_back();
+            }
+        }
+        if (!jobs) jobs = std::make_unique<pelagic::ExactWaterJobs>(executor);
+        sample(*jobs);
+        const std::lock_guard lock(mutex);
+        idle.push_back(std::move(jobs));
+    }
+
+    std::shared_ptr<pelagic::Executor> executor;
+    pelagic::ExactWater water;
+    mutable std::mutex mutex;
+    mutable std::vector<std::unique_ptr<pelagic::ExactWaterJobs>> idle;
+};
+
+namespace pelagic::capi {
+
+ExactWaterOptions exact_water_options_of(const pelagic_exact_water_options& from) {
+    ExactWaterOptions to;
+    // generated from schema/exact_water.toml: c-reads
+    to.water_density_kgpm3 = from.water_density_kgpm3;
+    // end of generated
+    if (from.water_frame) to.water_frame = water_frame_of(from.water_frame);
+    if (from.executor) to.executor = from.executor->executor;
+    to.isa = isa_of(from.isa);
+    return to;
+}
+
+namespace {
+
+/// The largest count whose size in bytes fits ptrdiff_t; no array in memory is larger.
+constexpr std::size_t max_count = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
+
+void check_count(std::size_t count) {
+    if (count > max_count) reject(invalid_value_message("points.count", count, "at most " + number_text(max_count)));
+}
+
+std::span<const double> positions_of(const double* all, const char* name, std::size_t count) {
+    if (count == 0) return {};
+    return {&needed(all, name), count};
+}
+
+/// Returns a conversion of the application's arrays of `count` elements.
+auto arrays_of(std::size_t count) {
+    return [count]<class T>(T* data) { return data ? std::span<T>(data, count) : std::span<T>(); };
+}
+
+WaterSamples water_samples_of(const pelagic_water_samples& from, std::size_t count) {
+    const auto array = arrays_of(count);
+    return {.depth_m = array(from.depth_m),
+            .pressure_pa = array(from.pressure_pa),
+            .velocity_x_mps = array(from.velocity_x_mps),
+            .velocity_y_mps = array(from.velocity_y_mps),
+            .velocity_z_mps = array(from.velocity_z_mps),
+            .acceleration_x_mps2 = array(from.acceleration_x_mps2),
+            .acceleration_y_mps2 = array(from.acceleration_y_mps2),
+            .acceleration_z_mps2 = array(from.acceleration_z_mps2)};
+}
+
+SurfaceSamples surface_samples_of(const pelagic_samples& from, std::size_t count) {
+    const auto array = arrays_of(count);
+    return {.height_m = array(from.height_m),
+            .normal_x = array(from.normal_x),
+            .normal_y = array(from.normal_y),
+            .normal_z = array(from.normal_z),
+            .jacobian = array(from.jacobian),
+            .velocity_x_mps = array(from.velocity_x_mps),
+            .velocity_y_mps = array(from.velocity_y_mps),
+            .velocity_z_mps = array(from.velocity_z_mps),
+            .error_m = array(from.error_m),
+            .converged = array(from.converged),
+            .foam = array(from.foam)};
+}
+
+}  // namespace
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_exact_water_create(const pelagic_sea* sea, const pelagic_exact_water_options* options,
+                                          pelagic_exact_water** water) {
+    return guarded([&] {
+        pelagic_exact_water*& out = needed(water, "water");
+        out = nullptr;
+        const ExactWaterOptions wanted = exact_water_options_of(
+            options ? read_struct(options, "options") : pelagic_exact_water_options_make());
+        const auto executor = wanted.executor ? wanted.executor : make_serial_executor();
+        out = new pelagic_exact_water{executor, ExactWater(sea_of(sea), wanted), {}, {}};
+    });
+}
+
+void pelagic_exact_water_destroy(pelagic_exact_water* water) { delete water; }
+
+pelagic_status pelagic_exact_water_set_time(pelagic_exact_water* water, double time_s) {
+    return guarded([&] { needed(water, "water").water.set_time(time_s); });
+}
+
+pelagic_status pelagic_exact_water_sample(const pelagic_exact_water* water, const pelagic_water_points* points,
+                                          const pelagic_water_samples* samples) {
+    return guarded([&] {
+        const pelagic_exact_water& ours = needed(water, "water");
+        const pelagic_water_points where = read_struct(points, "points");
+        check_count(where.count);
+        const WaterPoints at{.x = positions_of(where.x, "points.x", where.count),
+                             .y = positions_of(where.y, "points.y", where.count),
+                             .z = positions_of(where.z, "points.z", where.count)};
+        const WaterSamples to = water_samples_of(read_struct(samples, "samples"), where.count);
+        if (where.parallel != 0)
+            ours.with_jobs([&](ExactWaterJobs& jobs) { jobs.sample(ours.water, at, to); });
+        else
+            ours.water.sample(at, to);
+    });
+}
+
+pelagic_status pelagic_exact_water_sample_surface(const pelagic_exact_water* water, const pelagic_points* points,
+                                                  const pelagic_samples* samples) {
+    return guarded([&] {
+        const pelagic_exact_water& ours = needed(water, "water");
+        const pelagic_points where = read_struct(points, "points");
+        check_count(where.count);
+        const SurfacePoints at{.x = positions_of(where.x, "points.x", where.count),
+                               .z = positions_of(where.z, "points.z", where.count)};
+        const SurfaceSamples to = surface_samples_of(read_struct(samples, "samples"), where.count);
+        if (where.parallel != 0)
+            ours.with_jobs([&](ExactWaterJobs& jobs) { jobs.sample_surface(ours.water, at, to); });
+        else
+            ours.water.sample_surface(at, to);
+    });
+}
