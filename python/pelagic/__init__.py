@@ -14,6 +14,7 @@ radians; time in seconds.
 from types import MappingProxyType as _MappingProxyType
 from typing import Mapping as _Mapping
 
+from ._exact_water import ExactWater
 from ._explained import explain as _explain
 from ._frame import Bounds, Cascade, Frame
 from ._hulls import Bodies, Hull, HullState
@@ -26,8 +27,8 @@ from ._structs import nearest_hint as _nearest_hint
 from ._waves import DynamicWaves, DynamicWavesView, ShoreSurface
 
 __all__ = [
-    "AnalyticWave", "Bodies", "Bounds", "Cascade", "Disturbance", "DynamicWaves", "DynamicWavesOptions", "DynamicWavesView", "Frame", "GerstnerInput",
-    "Hull", "HullState", "Ocean", "Rain", "Report", "Ripple", "RippleInput", "Sea", "ShoreOptions", "ShoreSurface", "SprayEmitter",
+    "AnalyticWave", "Bodies", "Bounds", "Cascade", "Disturbance", "DynamicWaves", "DynamicWavesOptions", "DynamicWavesView", "ExactWater", "Frame",
+    "GerstnerInput", "Hull", "HullState", "Ocean", "Rain", "Report", "Ripple", "RippleInput", "Sea", "ShoreOptions", "ShoreSurface", "SprayEmitter",
     "SprayOptions", "StaleFrame", "WaveInput", "WaveSystem", "isas_here", "preset", "preset_summaries", "presets",
 ]
 
@@ -42,7 +43,7 @@ presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _
 #: A one-line summary of each preset.
 preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _presets})
 
-_explain(AnalyticWave, Bodies, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, Frame, GerstnerInput, Hull, Ocean, Rain, Ripple, RippleInput, Sea,
+_explain(AnalyticWave, Bodies, Cascade, Disturbance, DynamicWaves, DynamicWavesOptions, ExactWater, Frame, GerstnerInput, Hull, Ocean, Rain, Ripple, RippleInput, Sea,
          ShoreOptions, SprayEmitter, SprayOptions, WaveSystem)
 
 

@@ -96,6 +96,34 @@ def test_a_sea_level_and_a_current():
             ocean.set_water_frame(sea_level_m=1001)
 
 
+def test_exact_water():
+    water = pelagic.ExactWater(SMALL_SEA, time_s=12.5, threads=2)
+    y = (-1.5, -0.25, -20, 0, 1, -3, -100, -4000)
+    below, surface = water.sample(np.stack([X, y, Z], 1)), water.sample_surface(np.stack([X, Z], 1))
+    columns = below["depth"], below["pressure"], *below["velocity"].T, *below["acceleration"].T
+    assert {str(i): hexadecimal(*row) for i, row in enumerate(zip(*columns))} == golden_rows("exact")
+    columns = surface["height"], *surface["velocity"].T
+    assert {str(i): hexadecimal(*row) for i, row in enumerate(zip(*columns))} == golden_rows("exact-surface")
+    assert np.allclose(np.linalg.norm(surface["normal"], axis=1), 1)
+
+    water.set_time(3)
+    assert water.sample(np.zeros((2, 0, 3)))["velocity"].shape == (2, 0, 3)
+    assert water.sample([0, -1, 0])["pressure"].shape == () and water.sample_surface([[[0, 0]]])["height"].shape == (1, 1)
+    lifted = pelagic.ExactWater(SMALL_SEA, time_s=3, sea_level_m=2, current_mps=(1, 0), water_density_kgpm3=1000)
+    here, there = water.sample([0, -3, 0]), lifted.sample([3, -1, 0])
+    assert np.isclose(there["pressure"], here["pressure"] / 1.025) and np.allclose(there["velocity"], here["velocity"] + np.array([1, 0, 0]))
+    for error, line, call in (
+            (ValueError, "y[1] is -4001, expected at least -4000, the sea floor", lambda: water.sample([[0, 0, 0], [0, -4001, 0]])),
+            (ValueError, "points.shape is (2,), expected (..., 3): x, y and z of each point", lambda: water.sample([0, 0])),
+            (ValueError, "time_s is inf, expected a finite number", lambda: water.set_time(float("inf"))),
+            (ValueError, "water_density_kgpm3 0 is out of range [500, 2000]", lambda: pelagic.ExactWater(SMALL_SEA, water_density_kgpm3=0)),
+            (ValueError, "waves is pond, expected spectrum, analytic or regular", lambda: pelagic.ExactWater(pelagic.preset("pond"))),
+            (TypeError, "sea is 3, expected a pelagic.Sea, such as pelagic.preset(\"rough\")", lambda: pelagic.ExactWater(3))):
+        with pytest.raises(error) as refused:
+            call()
+        assert str(refused.value) == line
+
+
 def test_a_transition():
     with pelagic.Ocean(SMALL_SEA) as ocean:
         later = pelagic.Sea(cascades=3, resolution=32, wind_speed_mps=6, loop_period_s=40)

@@ -12,8 +12,8 @@ from conftest import accepted_by_library, defaults_of_library, docstrings_of_fie
 from pelagic import _native, _structs
 
 PACKAGE = Path(pelagic.__file__).parent
-CLASSES = ("Bodies", "Bounds", "Cascade", "DynamicWaves", "DynamicWavesView", "Frame", "GerstnerInput", "Hull", "HullState", "Ocean", "RippleInput",
-           "ShoreSurface", "WaveInput")
+CLASSES = ("Bodies", "Bounds", "Cascade", "DynamicWaves", "DynamicWavesView", "ExactWater", "Frame", "GerstnerInput", "Hull", "HullState", "Ocean",
+           "RippleInput", "ShoreSurface", "WaveInput")
 
 
 def test_a_sea_has_the_fields_and_defaults_of_the_library():
