@@ -203,6 +203,49 @@ public static unsafe class GoldenTests
     }
 
     [Test]
+    public static void ExactWaterHasTheGoldenValues()
+    {
+        double[] y = { -1.5, -0.25, -20, 0, 1, -3, -100, -4000 };
+        var of = new float[8][];
+        for (var i = 0; i < of.Length; ++i) of[i] = new float[y.Length];
+        var height = new float[y.Length];
+        using (var water = new ExactWater(SmallSea()))
+        {
+            water.SetTime(12.5);
+            var samples = new WaterSamples
+            {
+                DepthM = of[0],
+                PressurePa = of[1],
+                VelocityXMps = of[2],
+                VelocityYMps = of[3],
+                VelocityZMps = of[4],
+                AccelerationXMps2 = of[5],
+                AccelerationYMps2 = of[6],
+                AccelerationZMps2 = of[7],
+            };
+            water.Sample(pointsX, y, pointsZ, samples);
+            water.SampleHeights(pointsX, pointsZ, height);
+            for (var i = 0; i < y.Length; ++i)
+            {
+                Check.Equal(Expected.Bits(of[0][i], of[1][i], of[2][i], of[3][i], of[4][i], of[5][i], of[6][i], of[7][i]),
+                            Expected.Text($"exact {i}"), $"exact {i}");
+                Check.Equal(Expected.Bits(height[i]), Expected.Text($"exact-surface {i}").Split(',')[0], $"exact-surface {i}");
+            }
+        }
+        using (var executor = new Executor(new ExecutorOptions { Threads = 2 }))
+        using (var lifted = new ExactWater(SmallSea(), new ExactWaterOptions { WaterFrame = new WaterFrame { SeaLevelM = 2 }, Executor = executor }))
+        {
+            lifted.SetTime(12.5);
+            var raised = new float[y.Length];
+            lifted.SampleHeights(pointsX, pointsZ, raised);
+            for (var i = 0; i < y.Length; ++i) Check.True(Math.Abs(raised[i] - height[i] - 2) < 1e-6, "the sea level lifts the surface");
+            Check.Equal(Check.Throws<PelagicException>(() => lifted.Sample(new double[1], new[] { -3999.0 }, new double[1], new WaterSamples()),
+                                                       "a point below the floor").Message,
+                        "y[0] is -3999, expected at least -3998, the sea floor", "a point below the floor");
+        }
+    }
+
+    [Test]
     public static void WaveInputsHaveTheGoldenHashes()
     {
         var seas = new Dictionary<string, Sea>

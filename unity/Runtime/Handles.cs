@@ -86,6 +86,12 @@ namespace Pelagic
         protected override void Destroy() => Native.pelagic_executor_destroy(handle);
     }
 
+    internal sealed class ExactWaterHandle : NativeHandle
+    {
+        internal ExactWaterHandle(IntPtr pointer, CallbackRoot[] roots) : base(pointer, roots) { }
+        protected override void Destroy() => Native.pelagic_exact_water_destroy(handle);
+    }
+
     internal sealed class DynamicWavesHandle : NativeHandle
     {
         internal DynamicWavesHandle(IntPtr pointer, CallbackRoot[] roots) : base(pointer, roots) { }
