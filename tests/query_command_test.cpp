@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/sim/exact_water.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
@@ -43,6 +44,82 @@ Outcome query(const std::string& points, std::vector<std::string> more = {}) {
     write_file(folder / "points.csv", points);
     more.insert(more.begin(), {"query", "--points", (folder / "points.csv").string()});
     return run_pelagic(more);
+}
+
+TEST(QueryCommand, PrintsExactWaterBelowTheSurface) {
+    const std::vector<std::string> sea = {"--resolution", "32", "--cascades", "2", "--depth", "50", "--seed", "3"};
+    std::vector<std::string> more = {"--interpolation", "exact", "--times",   "0:5:5",
+                                     "--sea-level",     "1.5",   "--current", "1,2"};
+    more.insert(more.end(), sea.begin(), sea.end());
+    const Outcome outcome = query("buoy,z,y,x\na,1,-3,0\nb,-4,-48.5,1e3\nc,0,30,2\n", more);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "note: interpolation is exact\n");
+    const std::vector<std::string> lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 7u);
+    EXPECT_EQ(lines[0], "time,buoy,z,y,x,pressure_pa,velocity_x_mps,velocity_y_mps,velocity_z_mps,acceleration_x_mps2,"
+                        "acceleration_y_mps2,acceleration_z_mps2,depth_below_surface_m");
+    const ExactWater water = ExactWater({.cascades = 2, .resolution = 32, .depth_m = 50, .seed = 3},
+                                        {.water_frame = {1.5, 1, 2}}).at(5);
+    const std::vector<double> x = {0, 1e3, 2}, y = {-3, -48.5, 30}, z = {1, -4, 0};
+    std::vector<std::vector<float>> of(8, std::vector<float>(3));
+    water.sample({x, y, z}, {of[7], of[0], of[1], of[2], of[3], of[4], of[5], of[6]});
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::string prefix = "5," + std::vector<std::string>{"a,1,-3,0", "b,-4,-48.5,1e3", "c,0,30,2"}[i] + ",";
+        ASSERT_EQ(lines[4 + i].substr(0, prefix.size()), prefix);
+        const std::vector<double> numbers = numbers_in(lines[4 + i].substr(prefix.size()));
+        ASSERT_EQ(numbers.size(), of.size());
+        for (std::size_t value = 0; value < of.size(); ++value)
+            EXPECT_EQ(static_cast<float>(numbers[value]), of[value][i]) << value;
+    }
+
+    more.push_back("--json");
+    const nlohmann::json rows = nlohmann::json::parse(query("x,y,z\n2,-1.25,0\n", more).out);
+    EXPECT_EQ(rows[1]["y"], -1.25);
+    EXPECT_EQ(rows[1]["interpolation"], "exact");
+    EXPECT_TRUE(rows[1]["depth_below_surface_m"].is_number() && !rows[1].contains("converged"));
+}
+
+TEST(QueryCommand, PrintsTheExactSurface) {
+    const Outcome outcome =
+        query("0,0\n12.25,-3.5\n", {"--interpolation", "exact", "--resolution", "32", "--time", "7"});
+    const std::vector<std::string> lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_EQ(lines[0], query_header);
+    const std::vector<double> x = {0, 12.25}, z = {0, -3.5};
+    std::vector<float> height(2), rise(2);
+    ExactWater({.resolution = 32}).at(7).sample_surface({x, z}, {.height_m = height, .velocity_y_mps = rise});
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::vector<double> numbers = numbers_in(lines[1 + i]);
+        EXPECT_EQ(static_cast<float>(numbers[2]), height[i]);
+        EXPECT_EQ(static_cast<float>(numbers[7]), rise[i]);
+        EXPECT_EQ((std::vector<double>{numbers[9], numbers[10], numbers[11]}), (std::vector<double>{1, 0, 1}));
+    }
+}
+
+TEST(QueryCommand, RejectsInvalidPointsOfWaterOnOneLine) {
+    const auto expect_error = [](const std::string& points, std::vector<std::string> more, const std::string& text) {
+        more.insert(more.end(), {"--resolution", "16"});
+        const Outcome outcome = query(points, more);
+        EXPECT_EQ(outcome.exit_code, 2) << text;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_TRUE(outcome.err.ends_with(text + "\n")) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    };
+    const std::vector<std::string> exact = {"--interpolation", "exact"};
+    expect_error("x,y,z\n0,0,0\n", {},
+                 "the points' column y needs --interpolation exact, which samples the water at that height");
+    expect_error("x,y,z\n0,0,0\n3,-60,4\n", {"--interpolation", "exact", "--depth", "50", "--sea-level", "2"},
+                 ":3: the line is 3,-60,4, expected y of at least -48, the sea floor");
+    expect_error("x,y,z\n0,deep,0\n", exact,
+                 ":2: the line is 0,deep,0, expected x,y,z: three numbers of metres in [-1e15, 1e15]");
+    expect_error("x,y,z,y\n0,0,0,0\n", exact, ":1: the line is x,y,z,y, expected at most one column y");
+    expect_error("x,y,z\n0,0,0\n", {"--interpolation", "exact", "--foam"},
+                 "--foam cannot be combined with --interpolation exact");
+    expect_error("0,0\n", {"--interpolation", "exact", "--waves", "pond"},
+                 "--waves pond cannot be combined with --interpolation exact");
+    expect_error("x,y,z\n0,0,0\n", {"--interpolation", "exact", "--record", "20"}, "has a column y");
+    expect_error("x,y,z,pressure_pa\n0,0,0,0\n", {"--interpolation", "exact", "--quiet"},
+                 "the points' column pressure_pa has the name of another column or of a result, expected its own");
 }
 
 // The default interpolation is cubic, and the output states which is used.
@@ -336,7 +413,7 @@ TEST(QueryCommand, NamesTheMissingOrInvalidOption) {
              {{"query", "--points", points, "--time", "noon"}, "--time is noon, expected seconds in [-1e9, 1e9]"},
              {{"query", "--points", points, "--time", "2e9"}, "--time is 2e9, expected seconds in [-1e9, 1e9]"},
              {{"query", "--points", points, "--interpolation", "quintic"},
-              "--interpolation is quintic, expected linear or cubic"},
+              "--interpolation is quintic, expected linear, cubic or exact"},
              {{"query", "--points", points, "--choppiness", "2"}, "--choppiness 2 is out of range [0, 1]"},
              {{"query", "--points", points, "--tmie", "2"}, "unknown option --tmie, the nearest known one is --time"},
              {{"ask"},

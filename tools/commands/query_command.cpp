@@ -14,6 +14,8 @@
 #include <system_error>
 #include <vector>
 
+#include "pelagic/sim/exact_water.hpp"
+#include "pelagic/sim/exact_water_jobs.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
@@ -38,12 +40,28 @@
 namespace pelagic::tools {
 namespace {
 
+/// How values at points are computed: from a frame (Interpolation), or by the sum over its waves.
+enum class QueryMethod { linear, cubic, exact };
+
+}  // namespace
+}  // namespace pelagic::tools
+
+template <>
+struct pelagic::EnumNames<pelagic::tools::QueryMethod> {
+    static constexpr std::array<std::string_view, 3> all = {"linear", "cubic", "exact"};
+};
+
+namespace pelagic::tools {
+namespace {
+
 constexpr double latest_time_s = 1e9;  // the range of `export --start`
 constexpr double longest_loop_s = 86400;
 constexpr std::size_t max_times = 1'000'000;
 
 /// Points in memory at once: a few megabytes, and enough work for many threads.
 constexpr std::size_t block_points = std::size_t{1} << 15;
+/// Points of the exact sum between two reports of progress, some milliseconds.
+constexpr std::size_t exact_batch_points = 256;
 /// Text of a hull's rows that is written at once.
 constexpr std::size_t output_bytes = std::size_t{1} << 16;
 
@@ -216,10 +234,15 @@ class QueryProgress {
     }
     void show(double time_s) {
         const double all_s = ends_s_ - begins_s_;
-        const double along = all_s > 0 ? std::clamp((time_s - begins_s_) / all_s, 0.0, 1.0) : 0;
-        progress_.show(all_s > 0 ? "time " + rounded_text(time_s, 1) + " of " + rounded_text(ends_s_, 1) + " s"
-                                 : "point " + number_text(first_point_ + 1),
-                       from_ + along * (to_ - from_));
+        show(time_s, first_point_, all_s > 0 ? std::clamp((time_s - begins_s_) / all_s, 0.0, 1.0) : 0);
+    }
+    /// \param point     number of the point, from 0
+    /// \param fraction  of the block that is done, of all times
+    void show(double time_s, std::size_t point, double fraction) {
+        progress_.show(ends_s_ > begins_s_
+                           ? "time " + rounded_text(time_s, 1) + " of " + rounded_text(ends_s_, 1) + " s"
+                           : "point " + number_text(point + 1),
+                       from_ + fraction * (to_ - from_));
     }
     void clear() { progress_.clear(); }
 
@@ -238,6 +261,10 @@ class QueryCommand final : public Command {
     void run() override;
 
    private:
+    /// Prints rows of the exact sum over waves.
+    void run_exact(const ResolvedSea& sea, const std::vector<double>& times_s,
+                   const std::optional<RecordOptions>& record) const;
+    void require_points(const std::optional<RecordOptions>& record) const;
     /// Prints a row for each time.
     void run_hull(const ResolvedSea& sea, const std::vector<double>& times_s) const;
     std::vector<double> times(const ResolvedSea& sea) const;
@@ -267,8 +294,9 @@ void QueryCommand::add_options(CLI::App& app) {
         ->type_name("SECONDS");
     app.add_option("--rate", rate_, "samples per second of --record; [0.001, 100] (default: 4)")->type_name("HZ");
     app.add_option("--interpolation", interpolation_,
-                   "between texels; cubic keeps short waves, linear is the drawn surface (default: cubic)")
-        ->type_name(alternatives(names_of<Interpolation>()));
+                   "between texels; cubic keeps short waves, linear is the drawn surface; exact adds all waves "
+                   "at points of the undisplaced water (default: cubic)")
+        ->type_name(alternatives(names_of<QueryMethod>()));
 
     app.option_defaults()->group(help_group::output);
     app.add_flag("--foam", foam_, "add a column with the foam coverage, 0 to 1");
@@ -292,6 +320,9 @@ void QueryCommand::add_options(CLI::App& app) {
         "error, or with --json as interpolation in each object. Other columns of the file are copied in\n"
         "front of the results. A file may have any length. It is read in blocks of 32768 points: an\n"
         "invalid line ends the command when its block is read, and --times applies to one block at a time.\n"
+        "With a column y, --interpolation exact prints pressure_pa, velocity_x_mps, velocity_y_mps,\n"
+        "velocity_z_mps, acceleration_x_mps2, acceleration_y_mps2, acceleration_z_mps2 and\n"
+        "depth_below_surface_m of the water at that height, for sea water of 1025 kg/m^3.\n"
         "--record prints a row for each time, then lines # NAME,VALUE: Hm0_m, Tp_s, Tz_s (upward crossings\n"
         "of the mean), direction_deg and spread_deg (towards, from +x to +z), skewness, highest_wave_m.\n"
         "Without --loop-period the loop is at least as long as the record.\n"
@@ -372,6 +403,77 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
     if (json_) write_output("]\n");
 }
 
+void QueryCommand::require_points(const std::optional<RecordOptions>& record) const {
+    if (!record && (!points_ || points_->empty()))
+        throw InputError("--points is missing: expected a CSV file of lines x,z, or - for standard input");
+}
+
+void QueryCommand::run_exact(const ResolvedSea& sea, const std::vector<double>& times_s,
+                             const std::optional<RecordOptions>& record) const {
+    for (const auto& [flag, is_given] : {std::pair("--foam", foam_),
+                                         {"--floor", floor_.has_floor()},
+                                         {"--shore", floor_.has_shore()},
+                                         {"--events", events_.resolve(sea.sea.depth_m).has_value()},
+                                         {"--weather", !sea.changes.empty()},
+                                         {"--waves pond", sea.sea.waves == WaveModel::pond}})
+        if (is_given) throw InputError(std::string(flag) + " cannot be combined with --interpolation exact");
+    const ComputeOptions compute = compute_.resolve();
+    const WaterFrame frame = water_frame_.resolve(false);
+    require_points(record);
+    const auto executor = make_default_executor(compute.threads);
+    ExactWater water(sea.sea, {.water_frame = frame, .executor = executor, .isa = compute.isa});
+
+    PointBytes bytes(points_);
+    PointReader reader(bytes.name(), [&](std::span<char> to) { return bytes.read(to); });
+    reader.set_min_y(frame.sea_level_m - water.depth_m(), "the sea floor");
+    PointBlock block;
+    bool has_points = reader.read_block(block, block_points);
+    if (record && (block.size() > 1 || reader.has_y()))
+        throw InputError("--record needs one point x,z, and " + bytes.name() + " has " +
+                         (block.size() > 1 ? "more" : "a column y"));
+    ExactWaterJobs jobs(executor);
+    SampleBuffers surface(false, false);
+    WaterBuffers below;
+    ResultColumns& results = reader.has_y() ? static_cast<ResultColumns&>(below) : surface;
+    RowWriter rows(executor, results, name_of(QueryMethod::exact), json_, times_.has_value() || record);
+    std::optional<RecordFooter> footer;
+    if (record) footer.emplace(record->rate_hz, water.depth_m());
+    SpanNote span_note(repeat_length_m(sea.sea));
+    if (!json_) print_note("interpolation is exact");
+    QueryProgress progress(times_s.front(), times_s.back());
+    std::size_t points = 0;
+    double done = 0;  // fraction of the points
+    for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
+        const bool is_all = points == 0 && block.size() < block_points;
+        const double until = is_all ? 1 : bytes.fraction_read();
+        progress.begin_block(points, done, until);
+        points += block.size();
+        done = until;
+        results.resize(block.size());
+        span_note.extend(block);
+        for (std::size_t moment = 0; moment < times_s.size(); ++moment) {
+            const double time_s = times_s[moment];
+            water.set_time(time_s);
+            for (std::size_t first = 0; first < block.size(); first += exact_batch_points) {
+                const double batches = static_cast<double>(first) / static_cast<double>(block.size());
+                progress.show(time_s, points - block.size() + first,
+                              (static_cast<double>(moment) + batches) / static_cast<double>(times_s.size()));
+                const std::size_t count = std::min(exact_batch_points, block.size() - first);
+                const auto batch = [&](std::span<const double> all) { return all.subspan(first, count); };
+                if (reader.has_y())
+                    jobs.sample(water, {batch(block.x), batch(block.y), batch(block.z)}, below.samples(first, count));
+                else
+                    jobs.sample_surface(water, {batch(block.x), batch(block.z)}, surface.samples(first, count));
+            }
+            if (footer) footer->add(surface);
+            progress.clear();
+            rows.write(block, time_s);
+        }
+    }
+    rows.end();
+    if (footer) footer->print();
+}
+
 void QueryCommand::run() {
     const std::optional<RecordOptions> record = this->record();
     const ResolvedSea sea = record ? without_repetition(sea_.resolve(), *record) : sea_.resolve();
@@ -380,21 +482,24 @@ void QueryCommand::run() {
     if (record) times_s = record->times_s(times_s.front());
     if (hull_.has_hull()) return run_hull(sea, times_s);
     hull_.resolve();  // rejects its other options
+    const QueryMethod method =
+        interpolation_ ? one_of<QueryMethod>("--interpolation", *interpolation_) : QueryMethod::cubic;
+    if (method == QueryMethod::exact) return run_exact(sea, times_s, record);
+    const Interpolation interpolation = method == QueryMethod::cubic ? Interpolation::cubic : Interpolation::linear;
     const ComputeOptions compute = compute_.resolve();
-    const Interpolation interpolation =
-        interpolation_ ? one_of<Interpolation>("--interpolation", *interpolation_) : Interpolation::cubic;
     const WaterFrame water = water_frame_.resolve(floor_.has_shore());
     const std::optional<ShoreOptions> shore = this->shore(sea);
     const std::optional<EventOptions> events = events_.resolve(sea.sea.depth_m);
     if (events) require_reachable(*events, times_s.back());
-    if (!record && (!points_ || points_->empty()))
-        throw InputError("--points is missing: expected a CSV file of lines x,z, or - for standard input");
+    require_points(record);
     PointBytes bytes(points_);
     PointReader reader(bytes.name(), [&](std::span<char> to) { return bytes.read(to); });
     PointBlock block;
     bool has_points = reader.read_block(block, block_points);
     if (record && block.size() > 1)
         throw InputError("--record needs one point, and " + bytes.name() + " has more");
+    if (reader.has_y())
+        throw InputError("the points' column y needs --interpolation exact, which samples the water at that height");
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(forecast_of(sea), {.executor = executor,
@@ -408,7 +513,7 @@ void QueryCommand::run() {
     if (events) player.emplace(*events, executor, compute.isa, water);
     SurfaceQueryJobs jobs(executor);
     SampleBuffers samples(foam_, shore.has_value());
-    RowWriter rows(executor, samples, interpolation, json_, times_.has_value() || record);
+    RowWriter rows(executor, samples, name_of(interpolation), json_, times_.has_value() || record);
     std::optional<RecordFooter> footer;
     SpanNote span_note(repeat_length_m(sea.sea));
     std::optional<Frame> frame;

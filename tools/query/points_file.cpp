@@ -15,6 +15,7 @@ namespace {
 // Larger than any ocean; doubles still resolve metres here.
 constexpr double farthest_m = 1e15;
 constexpr const char* a_point = "x,z: two numbers of metres in [-1e15, 1e15]";
+constexpr const char* a_water_point = "x,y,z: three numbers of metres in [-1e15, 1e15]";
 
 // Limits of the memory use, independent of the file's length. Longer lines are rejected.
 constexpr std::size_t max_line_length = std::size_t{1} << 16;
@@ -103,6 +104,7 @@ void PointReader::take_header() {
     columns_.clear();
     for (const std::string_view cell : cells_) {
         if (cell_value(cell) == "x") x_column_ = columns_.size();
+        if (cell_value(cell) == "y") y_column_ = columns_.size();
         if (cell_value(cell) == "z") z_column_ = columns_.size();
         columns_.emplace_back(cell);
     }
@@ -116,6 +118,12 @@ void PointReader::take_point(std::string_view line, PointBlock& block) {
     }
     const auto x = coordinate(cells_[x_column_]), z = coordinate(cells_[z_column_]);
     if (!x || !z) reject(line, a_point);
+    if (has_y()) {
+        const auto y = coordinate(cells_[y_column_]);
+        if (!y) reject(line, a_water_point);
+        if (*y < min_y_m_) reject(line, "y of at least " + number_text(min_y_m_) + ", " + min_y_name_);
+        block.y.push_back(*y);
+    }
     block.x.push_back(*x);
     block.z.push_back(*z);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -127,6 +135,7 @@ void PointReader::take_point(std::string_view line, PointBlock& block) {
 
 bool PointReader::read_block(PointBlock& block, std::size_t max_points) {
     block.x.clear();
+    block.y.clear();
     block.z.clear();
     block.text.clear();
     block.row_ends.clear();
@@ -144,6 +153,7 @@ bool PointReader::read_block(PointBlock& block, std::size_t max_points) {
                                      [&](std::string_view cell) { return cell_value(cell) == name; });
             };
             if (times("x") > 1 || times("z") > 1) reject(line, "one column x and one column z");
+            if (times("y") > 1) reject(line, "at most one column y");
             if (times("x") == 1 && times("z") == 1) {
                 take_header();
                 continue;

@@ -1,16 +1,18 @@
 // CSV files of points with columns x and z in metres, of any length, read in blocks.
 //
-// The first line may name columns. Then x and z are found by name, and further columns are copied
-// unchanged. Without names, each line is x,z only, because with a third number the second could be
+// The first line may name columns. Then x, z and a height y are found by name, and further columns are
+// copied unchanged. Without names, each line is x,z only, because with a third number the second could be
 // a height. Cells may be in double quotes (RFC 4180, but without line ends). Empty lines, blanks
 // around cells and Windows line ends are ignored.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pelagic::tools {
@@ -18,6 +20,7 @@ namespace pelagic::tools {
 /// A block of consecutive points of the file.
 struct PointBlock {
     std::vector<double> x, z;
+    std::vector<double> y;              ///< empty without a column y
     std::string text;                   ///< all columns of all points, unchanged, with commas
     std::vector<std::size_t> row_ends;  ///< end of each point's row in the text
 
@@ -46,7 +49,16 @@ class PointReader {
     /// after the first block.
     const std::vector<std::string>& columns() const { return columns_; }
     bool is_x(std::size_t column) const { return column == x_column_; }
+    bool is_y(std::size_t column) const { return column == y_column_; }
     bool is_z(std::size_t column) const { return column == z_column_; }
+    /// Returns whether the points have heights. Valid after the first block.
+    bool has_y() const { return y_column_ != no_column; }
+
+    /// Rejects lines with a lower y as invalid. \param name  of that height, for messages
+    void set_min_y(double y_m, std::string name) {
+        min_y_m_ = y_m;
+        min_y_name_ = std::move(name);
+    }
 
    private:
     bool next_line(std::string_view& line);
@@ -62,7 +74,10 @@ class PointReader {
     bool has_begun_ = false, has_points_ = false;
     std::vector<std::string_view> cells_;
     std::vector<std::string> columns_ = {"x", "z"};
-    std::size_t x_column_ = 0, z_column_ = 1;
+    static constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+    std::size_t x_column_ = 0, y_column_ = no_column, z_column_ = 1;
+    double min_y_m_ = -std::numeric_limits<double>::infinity();
+    std::string min_y_name_;
 };
 
 }  // namespace pelagic::tools

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t pieces_per_block = 32;
 
 /// Maximum length of a row without the file's columns. Memory is reserved in advance, because a job
-/// must not throw. A number has at most 25 characters, its JSON key 12.
-constexpr std::size_t max_row_length = (SampleBuffers::max_values + 5) * (25 + 12);
+/// must not throw. A number has at most 25 characters, its JSON key 24.
+constexpr std::size_t max_row_length = (ResultColumns::max_values + 5) * (25 + 24);
 /// Length of an escaped control character in JSON, \u001f.
 constexpr std::size_t max_escaped_length = 6;
 
@@ -67,37 +67,55 @@ void write_output(std::string_view text) {
     throw FileError(std::string("can't write standard output: ") + std::strerror(errno));
 }
 
-SampleBuffers::SampleBuffers(bool has_foam, bool has_depth) {
-    for (std::size_t value = 0; value < max_values; ++value) {
-        if ((value == foam_at && !has_foam) || (value == depth_at && !has_depth)) continue;
-        columns_[values_there_] = value;
-        names_[values_there_++] = all_names[value];
-    }
+void ResultColumns::resize(std::size_t points) {
+    for (std::vector<float>& values : values_) values.resize(points);
+    if (has_converged_) converged_.resize(points);
 }
 
-void SampleBuffers::resize(std::size_t points) {
-    for (const std::size_t value : std::span(columns_).first(values_there_)) values_[value].resize(points);
-    converged_.resize(points);
+SampleBuffers::SampleBuffers(bool has_foam, bool has_depth)
+    : ResultColumns({"height", "nx", "ny", "nz", "vx", "vy", "vz", "jacobian", "error_m"}, true),
+      has_foam_(has_foam),
+      has_depth_(has_depth) {
+    if (has_foam) names_.push_back("foam");
+    if (has_depth) names_.push_back("depth");
+    values_.resize(names_.size());
 }
 
-SurfaceSamples SampleBuffers::samples() {
-    auto& [height, nx, ny, nz, vx, vy, vz, jacobian, error_m, foam, depth] = values_;
-    return {.height_m = height,
-            .normal_x = nx,
-            .normal_y = ny,
-            .normal_z = nz,
-            .jacobian = jacobian,
-            .velocity_x_mps = vx,
-            .velocity_y_mps = vy,
-            .velocity_z_mps = vz,
-            .error_m = error_m,
-            .converged = converged_,
-            .foam = foam};
+SurfaceSamples SampleBuffers::samples(std::size_t first, std::size_t count) {
+    const auto of = [&](std::size_t value) { return std::span(values_[value]).subspan(first, count); };
+    return {.height_m = of(0),
+            .normal_x = of(1),
+            .normal_y = of(2),
+            .normal_z = of(3),
+            .jacobian = of(7),
+            .velocity_x_mps = of(4),
+            .velocity_y_mps = of(5),
+            .velocity_z_mps = of(6),
+            .error_m = of(8),
+            .converged = std::span(converged_).subspan(first, count),
+            .foam = has_foam_ ? of(9) : std::span<float>()};
 }
 
-RowWriter::RowWriter(std::shared_ptr<Executor> executor, const SampleBuffers& samples, Interpolation interpolation,
-                     bool as_json, bool has_times)
-    : samples_(samples),
+WaterBuffers::WaterBuffers()
+    : ResultColumns({"pressure_pa", "velocity_x_mps", "velocity_y_mps", "velocity_z_mps", "acceleration_x_mps2",
+                     "acceleration_y_mps2", "acceleration_z_mps2", "depth_below_surface_m"},
+                    false) {}
+
+WaterSamples WaterBuffers::samples(std::size_t first, std::size_t count) {
+    const auto of = [&](std::size_t value) { return std::span(values_[value]).subspan(first, count); };
+    return {.depth_m = of(7),
+            .pressure_pa = of(0),
+            .velocity_x_mps = of(1),
+            .velocity_y_mps = of(2),
+            .velocity_z_mps = of(3),
+            .acceleration_x_mps2 = of(4),
+            .acceleration_y_mps2 = of(5),
+            .acceleration_z_mps2 = of(6)};
+}
+
+RowWriter::RowWriter(std::shared_ptr<Executor> executor, const ResultColumns& results,
+                     std::string_view interpolation, bool as_json, bool has_times)
+    : results_(results),
       interpolation_(interpolation),
       as_json_(as_json),
       has_times_(has_times),
@@ -111,8 +129,8 @@ RowWriter::RowWriter(std::shared_ptr<Executor> executor, const SampleBuffers& sa
 
 void RowWriter::begin(const PointReader& reader) {
     reader_ = &reader;
-    std::set<std::string> taken(samples_.names().begin(), samples_.names().end());
-    taken.insert("converged");
+    std::set<std::string> taken(results_.names().begin(), results_.names().end());
+    if (results_.has_converged()) taken.insert("converged");
     if (as_json_) taken.insert("interpolation");
     if (has_times_) taken.insert("time");
     std::string header = has_times_ ? "time," : "";
@@ -125,8 +143,12 @@ void RowWriter::begin(const PointReader& reader) {
         header += column + ",";
         append_json_cell(json_keys_.emplace_back(), column);
     }
-    for (const char* name : samples_.names()) header.append(name).append(",");
-    write_output(as_json_ ? "[" : header + "converged\n");
+    for (const char* name : results_.names()) header.append(name).append(",");
+    if (results_.has_converged())
+        header += "converged";
+    else
+        header.pop_back();
+    write_output(as_json_ ? "[" : header + "\n");
 }
 
 void RowWriter::append_csv(std::string& text, std::size_t point) const {
@@ -135,11 +157,12 @@ void RowWriter::append_csv(std::string& text, std::size_t point) const {
         text += ',';
     }
     text += block_->row(point);
-    for (std::size_t column = 0; column < samples_.names().size(); ++column) {
+    for (std::size_t column = 0; column < results_.names().size(); ++column) {
         text += ',';
-        append_number(text, samples_.value(column, point));
+        append_number(text, results_.value(column, point));
     }
-    text += samples_.converged(point) ? ",1\n" : ",0\n";
+    if (results_.has_converged()) text += results_.converged(point) ? ",1" : ",0";
+    text += '\n';
 }
 
 void RowWriter::append_json(std::string& text, std::size_t point, std::vector<std::string_view>& cells) const {
@@ -154,19 +177,22 @@ void RowWriter::append_json(std::string& text, std::size_t point, std::vector<st
         text.append(json_keys_[column]).append(":");
         if (reader_->is_x(column))
             append_number(text, block_->x[point]);
+        else if (reader_->is_y(column))
+            append_number(text, block_->y[point]);
         else if (reader_->is_z(column))
             append_number(text, block_->z[point]);
         else
             append_json_cell(text, cells[column]);
         text += ',';
     }
-    for (std::size_t column = 0; column < samples_.names().size(); ++column) {
-        text.append("\"").append(samples_.names()[column]).append("\":");
-        append_json_number(text, samples_.value(column, point));
+    for (std::size_t column = 0; column < results_.names().size(); ++column) {
+        text.append("\"").append(results_.names()[column]).append("\":");
+        append_json_number(text, results_.value(column, point));
         text += ',';
     }
-    text.append("\"interpolation\":\"").append(name_of(interpolation_));
-    text += samples_.converged(point) ? "\",\"converged\":true}" : "\",\"converged\":false}";
+    text.append("\"interpolation\":\"").append(interpolation_).append("\"");
+    if (results_.has_converged()) text += results_.converged(point) ? ",\"converged\":true" : ",\"converged\":false";
+    text += '}';
 }
 
 void RowWriter::fill_piece(std::size_t piece) {

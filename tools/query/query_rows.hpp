@@ -1,16 +1,17 @@
 // Output of `pelagic query`: one row per point, as CSV or as JSON.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/water_kinematics.hpp"
 #include "pelagic/tools/query/points_file.hpp"
 
 namespace pelagic::tools {
@@ -18,43 +19,62 @@ namespace pelagic::tools {
 /// Writes to standard output. \throws FileError  if that fails
 void write_output(std::string_view text);
 
-/// Results of the queries of a block of points.
-class SampleBuffers {
+/// Results for a block of points, a column each.
+class ResultColumns {
    public:
     static constexpr std::size_t max_values = 11;
+    static constexpr std::size_t all_points = std::dynamic_extent;
 
-    SampleBuffers(bool has_foam, bool has_depth);
-
-    /// Returns the names of the values in the order of the columns. The column `converged` follows
-    /// them.
-    std::span<const char* const> names() const { return std::span(names_).first(values_there_); }
+    /// Returns the names of the values in the order of the columns. The column `converged`, if there is
+    /// one, follows them.
+    std::span<const char* const> names() const { return names_; }
+    bool has_converged() const { return has_converged_; }
 
     void resize(std::size_t points);
-    SurfaceSamples samples();
-    /// Returns the still-water depths over a shore in metres; empty without that column.
-    std::span<float> depths() { return values_[depth_at]; }
-    float value(std::size_t column, std::size_t point) const { return values_[columns_[column]][point]; }
+    float value(std::size_t column, std::size_t point) const { return values_[column][point]; }
     bool converged(std::size_t point) const { return converged_[point] != 0; }
 
-   private:
-    static constexpr std::array<const char*, max_values> all_names = {
-        "height", "nx", "ny", "nz", "vx", "vy", "vz", "jacobian", "error_m", "foam", "depth"};
-    static constexpr std::size_t foam_at = 9, depth_at = 10;
+   protected:
+    /// \param names  at most max_values
+    ResultColumns(std::vector<const char*> names, bool has_converged)
+        : names_(std::move(names)), has_converged_(has_converged), values_(names_.size()) {}
 
-    std::array<const char*, max_values> names_;
-    std::array<std::size_t, max_values> columns_;  ///< index of the value of each column
-    std::size_t values_there_ = 0;
-    std::array<std::vector<float>, max_values> values_;
+    std::vector<const char*> names_;
+    bool has_converged_;
+    std::vector<std::vector<float>> values_;
     std::vector<std::uint8_t> converged_;
+};
+
+/// Results of the queries of the surface.
+class SampleBuffers : public ResultColumns {
+   public:
+    SampleBuffers(bool has_foam, bool has_depth);
+
+    /// Returns the arrays of `count` points, by default of all.
+    SurfaceSamples samples(std::size_t first = 0, std::size_t count = all_points);
+    /// Returns the still-water depths over a shore in metres; empty without that column.
+    std::span<float> depths() { return has_depth_ ? values_.back() : std::span<float>(); }
+
+   private:
+    bool has_foam_, has_depth_;
+};
+
+/// Results for points at any depth.
+class WaterBuffers : public ResultColumns {
+   public:
+    WaterBuffers();
+
+    /// Returns the arrays of `count` points.
+    WaterSamples samples(std::size_t first, std::size_t count);
 };
 
 /// Formats blocks as text, several pieces in parallel, and writes them to standard output in order.
 class RowWriter {
    public:
-    /// \param samples        results of the block that write() receives; must outlive the writer
-    /// \param interpolation  interpolation of the queries, which JSON rows contain
+    /// \param results        results of the block that write() receives; must outlive the writer
+    /// \param interpolation  name of the interpolation of the queries, which JSON rows contain
     /// \param has_times      true if rows begin with the time
-    RowWriter(std::shared_ptr<Executor> executor, const SampleBuffers& samples, Interpolation interpolation,
+    RowWriter(std::shared_ptr<Executor> executor, const ResultColumns& results, std::string_view interpolation,
               bool as_json, bool has_times);
 
     /// Writes the header or the opening bracket.
@@ -75,8 +95,8 @@ class RowWriter {
         std::vector<std::string_view> cells;
     };
 
-    const SampleBuffers& samples_;
-    Interpolation interpolation_;
+    const ResultColumns& results_;
+    std::string_view interpolation_;
     bool as_json_, has_times_;
     const PointReader* reader_ = nullptr;
     std::vector<std::string> json_keys_;  ///< keys of the file's columns
