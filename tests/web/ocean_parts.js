@@ -77,6 +77,19 @@ export async function seaLines(createOcean, options) {
   return lines;
 }
 
+/** Returns the lines of exact water. */
+export async function exactWaterLines(createExactWater, options) {
+  const water = await createExactWater({ ...smallSea, ...options });
+  water.setTime(12.5);
+  const y = [-1.5, -0.25, -20, 0, 1, -3, -100, -4000];
+  const below = water.sample(points.map(([x, z], i) => [x, y[i], z])), surface = water.sampleSurface(points);
+  const three = (array, i) => [...array.slice(3 * i, 3 * i + 3)];
+  water.dispose();
+  return [...y.map((_, i) => `exact ${i} ` + floatBits([below.depthM[i], below.pressurePa[i], ...three(below.velocityMps, i),
+                                                       ...three(below.accelerationMps2, i)])),
+          ...y.map((_, i) => `exact-surface ${i} ` + floatBits([surface.heightM[i], ...three(surface.velocityMps, i)]))];
+}
+
 /** Returns the lines of spray. */
 export async function sprayLines(createOcean, options) {
   const ocean = await createOcean({ ...smallSea, windSpeedMps: 18, spray: {}, ...options }), lines = [];

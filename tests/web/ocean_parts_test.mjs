@@ -5,10 +5,10 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { bay, boat, goldenOf, grid, oceanLines, seaLines, shoreLines, smallSea, sprayLines, stone, tickHashes, waveInputLines } from './ocean_parts.js';
+import { bay, boat, exactWaterLines, goldenOf, grid, oceanLines, seaLines, shoreLines, smallSea, sprayLines, stone, tickHashes, waveInputLines } from './ocean_parts.js';
 
 const [folder, goldenFolder] = process.argv.slice(2);
-const { createOcean, optionTables } = await import(pathToFileURL(join(folder, 'index.js')));
+const { createExactWater, createOcean, optionTables } = await import(pathToFileURL(join(folder, 'index.js')));
 const remote = await import(pathToFileURL(join(folder, 'worker.js')));
 const golden = (...kinds) => goldenOf(readFileSync(join(goldenFolder, 'values.txt'), 'utf8'), ...kinds);
 
@@ -26,6 +26,20 @@ for (const [where, create, options] of everywhere)
     assert.deepEqual(await sprayLines(create, options), golden('spray', 'droplet'));
     assert.deepEqual(await waveInputLines(create, options), golden('input'));
   });
+
+test('exact water has the golden values on any number of threads, and errors of one line', async () => {
+  for (const threads of [1, 3])
+    assert.deepEqual(await exactWaterLines(createExactWater, { threads }), golden('exact', 'exact-surface'));
+  const water = await createExactWater({ ...smallSea, threads: 1, waterFrame: { seaLevelM: 2 }, waterDensityKgpm3: 1000 });
+  assert.throws(() => water.sample([0, -3999, 0]), { message: 'y[0] is -3999, expected at least -3998, the sea floor' });
+  assert.throws(() => water.sample([0, 0]), { message: /^points has 2 numbers, expected triples of numbers: \[x, y, z, x, y, z, ...\]/ });
+  assert.throws(() => water.setTime('now'), { message: 'timeS is "now", expected a finite number' });
+  water.dispose();
+  assert.throws(() => water.setTime(1), { message: 'the water is disposed of' });
+  await assert.rejects(createExactWater({ preset: 'pond' }), { message: 'waves is pond, expected spectrum, analytic or regular' });
+  await assert.rejects(createExactWater({ waterDensityKgpm3: 0 }), { message: 'waterDensityKgpm3 0 is out of range [500, 2000]' });
+  await assert.rejects(createExactWater({ queries: true }), /queries/);
+});
 
 test('sources, rain and saved states continue bit-identically on any number of threads', async () => {
   const rain = { dropsPerM2S: 0.5, radiusM: 1, heightM: 0.1, seed: 3 };

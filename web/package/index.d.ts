@@ -539,6 +539,58 @@ export type WaveInput = GerstnerInput | RippleInput;
 /** Computes the spectrum of a sea. Each ocean has its own memory, which dispose() frees. */
 export function createOcean(options?: OceanOptions): Promise<Ocean>;
 
+/** Options of exact water, besides those of a sea. */
+export interface ExactWaterOptions extends SeaOptions {
+  /** As OceanOptions.threads. */
+  threads?: number;
+  // generated from schema/exact_water.toml: properties
+  /** Density of the water, kilograms per cubic metre: [500, 2000]. Default 1025. */
+  waterDensityKgpm3?: number;
+  // end of generated
+  /** Sea level and current. */
+  waterFrame?: WaterFrame;
+}
+
+/** Points with heights: x, y and z of each, in metres. */
+export type WaterPoints = ArrayLike<number> | [number, number, number][] | {x: number; y: number; z: number}[];
+
+/** Water at points. Above the surface all but the depths are 0. */
+export interface WaterSamples {
+  /** Below the surface above the point; negative in the air. */
+  depthM: Float32Array;
+  /** Above that of the air. */
+  pressurePa: Float32Array;
+  /** x, y, z of each point. */
+  velocityMps: Float32Array;
+  accelerationMps2: Float32Array;
+}
+
+/** The undisplaced surface: heights, and x, y, z of normals and velocities. */
+export interface ExactSurface {
+  heightM: Float32Array;
+  normal: Float32Array;
+  velocityMps: Float32Array;
+}
+
+/**
+ * Water by the exact sum over the waves of a sea, by linear theory at fixed positions. Heights are
+ * those of frames before displacement.
+ */
+export class ExactWater {
+  private constructor();
+  /** Moves the water to a time; 0 at first. */
+  setTime(timeS: number): void;
+  /** Samples the water. Throws for a point below the sea floor. */
+  sample(points: WaterPoints): WaterSamples;
+  /** Samples the surface. */
+  sampleSurface(points: Points): ExactSurface;
+  /** Ends the threads and frees the memory. Also Symbol.dispose, if it exists. */
+  dispose(): void;
+}
+
+/** Computes the waves of a sea, which is no pond. */
+export function createExactWater(options?: ExactWaterOptions): Promise<ExactWater>;
+
 /** A row of an option table. */
 export interface OptionRow {
   name: string;

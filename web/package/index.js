@@ -2,6 +2,7 @@
 import { assertOptions, makeInstance, threadsFor, valueOf } from './module.js';
 import { Ocean } from './ocean.js';
 
+export { ExactWater, createExactWater } from './exact_water.js';
 export { Ocean, Frame, DynamicWaves, Cascade, Plane, levelCount, levelOffset } from './ocean.js';
 
 /**
