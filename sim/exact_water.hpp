@@ -68,6 +68,7 @@ class ExactWater final : public WaterKinematics {
     /// \throws std::invalid_argument  if the time is not finite
     ExactWater at(double time_s) const;
 
+    /// Returns the time of the water, seconds.
     double time_s() const { return time_s_; }
     /// Returns the depth below the mean level, metres. Analytic seas have 1e7.
     double depth_m() const;

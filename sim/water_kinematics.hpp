@@ -52,7 +52,8 @@ class WaterKinematics {
     virtual const Frame* frame_or_null() const { return nullptr; }
 
     /// Samples the water at the points. Thread-safe.
-    /// \throws std::invalid_argument  before it writes, for spans of another length than the points
+    /// \throws std::invalid_argument  before it writes, for spans of another length than the points, or
+    ///                                a point below the sea floor
     virtual void sample(const WaterPoints& points, const WaterSamples& samples) const = 0;
 
    protected:

@@ -23,7 +23,7 @@
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/tests/each_isa.hpp"
 
-namespace pelagic {
+namespace pelagic::exact_water {
 namespace {
 
 using std::numbers::pi;
@@ -369,6 +369,28 @@ TEST_P(ExactWaterOnEachIsa, HasTheBitsOfEveryOtherAndOfAnyThreads) {
     }
 }
 
+// The error of the polynomial, and that of the exponent, a float.
+TEST_P(ExactWaterOnEachIsa, DecaysExponentiallyWithDepth) {
+    constexpr std::size_t waves = WaveBlock::partial_sums;
+    alignas(64) std::array<std::uint32_t, waves> none{};
+    alignas(64) std::array<float, waves> steps, zeros{}, one{};
+    steps.fill(1);
+    one[0] = 1;
+    const WaveBlock block{none.data(), none.data(),  steps.data(), nullptr, one.data(),
+                          zeros.data(), zeros.data(), zeros.data(), waves};
+    for (int i = 0; i <= 20000; ++i) {
+        const float x = static_cast<float>(i) * 1e-3f;
+        std::array<double, SumWaterJob::sums> sums{};
+        kernels().sum_water(
+            {.waves = block, .x = none.data(), .z = none.data(), .decay = &x, .points = 1, .all = sums.data()});
+        const double exact = std::exp(-static_cast<double>(x));
+        ASSERT_NEAR(sums[SumWaterJob::head] / exact, 1, 2e-7 + 1e-7 * static_cast<double>(x)) << x;
+        if (i == 0) {
+            EXPECT_EQ(sums[SumWaterJob::head], 1);
+        }
+    }
+}
+
 TEST(ExactWater, HasNoSampleAtPositionsThatAreNotFinite) {
     const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const ExactWater water({.cascades = 1, .resolution = 32});
@@ -419,4 +441,4 @@ TEST(ExactWater, RejectsInvalidInputOnOneLine) {
 }
 
 }  // namespace
-}  // namespace pelagic
+}  // namespace pelagic::exact_water

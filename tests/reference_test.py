@@ -49,7 +49,8 @@ for index, name in (("globals_func.html", "pelagic_ocean_create"), ("globals_fun
     assert f'id="{found[2]}"' in (html / found[1]).read_text(), f"{found[1]} lacks {name}"
 
 # Each function that the shared library exports is in one group of the C interface, that of its object.
-GROUPS_OF_OBJECTS = {"sea": "The sea", "executor": "Executors", "dynamic_waves": "Dynamic waves", "input": "Wave inputs", "hull": "Hulls",
+GROUPS_OF_OBJECTS = {"sea": "The sea", "executor": "Executors", "dynamic_waves": "Dynamic waves", "input": "Wave inputs",
+                     "exact_water": "Exact water", "hull": "Hulls",
                      "bodies": "Floating bodies"}
 exported = (pathlib.Path(__file__).parent / "abi/pelagic.symbols").read_text().split()
 groups = dict(re.findall(r'href="(group__c\w*\.html)"[^>]*>([^<]+)</a>', (html / "modules.html").read_text()))
