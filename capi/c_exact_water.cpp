@@ -15,13 +15,13 @@
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
-#include "pelagic/sim/exact_water_jobs.hpp"
+#include "pelagic/sim/water_jobs.hpp"
 
 struct pelagic_exact_water {
     /// Calls sample(jobs) with jobs that no other thread uses.
     template <class Sample>
     void with_jobs(Sample sample) const {
-        std::unique_ptr<pelagic::ExactWaterJobs> jobs;
+        std::unique_ptr<pelagic::WaterJobs> jobs;
         {
             const std::lock_guard lock(mutex);
             if (!idle.empty()) {
@@ -29,7 +29,7 @@ struct pelagic_exact_water {
                 idle.pop_back();
             }
         }
-        if (!jobs) jobs = std::make_unique<pelagic::ExactWaterJobs>(executor);
+        if (!jobs) jobs = std::make_unique<pelagic::WaterJobs>(executor);
         sample(*jobs);
         const std::lock_guard lock(mutex);
         idle.push_back(std::move(jobs));
@@ -38,7 +38,7 @@ struct pelagic_exact_water {
     std::shared_ptr<pelagic::Executor> executor;
     pelagic::ExactWater water;
     mutable std::mutex mutex;
-    mutable std::vector<std::unique_ptr<pelagic::ExactWaterJobs>> idle;
+    mutable std::vector<std::unique_ptr<pelagic::WaterJobs>> idle;
 };
 
 namespace pelagic::capi {
@@ -135,7 +135,7 @@ pelagic_status pelagic_exact_water_sample(const pelagic_exact_water* water, cons
                              .z = positions_of(where.z, "points.z", where.count)};
         const WaterSamples to = water_samples_of(read_struct(samples, "samples"), where.count);
         if (where.parallel != 0)
-            ours.with_jobs([&](ExactWaterJobs& jobs) { jobs.sample(ours.water, at, to); });
+            ours.with_jobs([&](WaterJobs& jobs) { jobs.sample(ours.water, at, to); });
         else
             ours.water.sample(at, to);
     });
@@ -151,7 +151,7 @@ pelagic_status pelagic_exact_water_sample_surface(const pelagic_exact_water* wat
                                .z = positions_of(where.z, "points.z", where.count)};
         const SurfaceSamples to = surface_samples_of(read_struct(samples, "samples"), where.count);
         if (where.parallel != 0)
-            ours.with_jobs([&](ExactWaterJobs& jobs) { jobs.sample_surface(ours.water, at, to); });
+            ours.with_jobs([&](WaterJobs& jobs) { jobs.sample_surface(ours.water, at, to); });
         else
             ours.water.sample_surface(at, to);
     });

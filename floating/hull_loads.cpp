@@ -325,6 +325,8 @@ void HullWorkspace::clear() {
 void HullWorkspace::sample(const WaterKinematics& water) {
     for (auto* values : {&depth_m, &pressure_pa, &velocity_x_mps, &velocity_y_mps, &velocity_z_mps})
         values->resize(x.size());
+    // A hull that touches the ground has the water there.
+    for (double& height : y) height = std::max(height, water.floor_m());
     water.sample({.x = x, .y = y, .z = z, .footprint_m = footprint_m}, {.depth_m = depth_m,
                                             .pressure_pa = pressure_pa,
                                             .velocity_x_mps = velocity_x_mps,

@@ -68,19 +68,13 @@ class ExactWater final : public WaterKinematics {
     /// \throws std::invalid_argument  if the time is not finite
     ExactWater at(double time_s) const;
 
-    /// Returns the time of the water, seconds.
-    double time_s() const { return time_s_; }
     /// Returns the depth below the mean level, metres. Analytic seas have 1e7.
     double depth_m() const;
     /// Returns the number of wave vectors. Each has two waves, which run in opposite directions.
     std::size_t wave_count() const;
+    double floor_m() const override;
 
-    /// \throws std::invalid_argument  before it writes, for spans of another length than the points, or
-    ///                                a point below the floor: "y[3] is -60, expected at least -50,
-    ///                                the sea floor"
     void sample(const WaterPoints& points, const WaterSamples& samples) const override;
-    /// Checks points and arrays. \throws std::invalid_argument  what sample() throws
-    void check(const WaterPoints& points, const WaterSamples& samples) const;
 
     /// Samples the undisplaced surface: its height, its normal, and the velocity of the water there.
     /// The Jacobian is 1, the error 0, and each position with a sample has converged. Thread-safe.
@@ -104,7 +98,6 @@ class ExactWater final : public WaterKinematics {
 
     std::shared_ptr<const Waves> waves_;
     std::unique_ptr<Moment> moment_;
-    double time_s_ = 0;
 };
 
 }  // namespace pelagic

@@ -20,8 +20,7 @@ struct Frame;
 /// Positions in the world, in metres: y is up, and 0 is the mean level of the sea.
 struct WaterPoints {
     std::span<const double> x, y, z;  ///< equally long
-    /// Leaves out waves shorter than about this length, at least 0; of a frame, cascades that hold no
-    /// longer wave.
+    /// Of a frame, leaves out cascades that hold no wave of this length; at least 0.
     double footprint_m = 0;
 };
 
@@ -36,9 +35,6 @@ struct WaterSamples {
     std::span<float> acceleration_x_mps2 = {}, acceleration_y_mps2 = {}, acceleration_z_mps2 = {};
 };
 
-/// \throws std::invalid_argument  for spans of another length than the points
-void require_equal_lengths(const WaterPoints& points, const WaterSamples& samples);
-
 /// Water at one moment: of a frame (WaterQuery), or the exact sum of waves (ExactWater).
 class WaterKinematics {
    public:
@@ -48,6 +44,8 @@ class WaterKinematics {
     double water_density_kgpm3() const { return water_density_kgpm3_; }
     /// Returns the time of the water, seconds.
     double time_s() const { return time_s_; }
+    /// Returns the height of the sea floor in the world, metres.
+    virtual double floor_m() const = 0;
     /// Returns the frame of the water; null for water without one.
     virtual const Frame* frame_or_null() const { return nullptr; }
 
@@ -56,12 +54,18 @@ class WaterKinematics {
     ///                                a point below the sea floor
     virtual void sample(const WaterPoints& points, const WaterSamples& samples) const = 0;
 
+    /// \throws std::invalid_argument  for spans of another length than the points, or a point below the
+    ///                                floor: "y[3] is -60, expected at least -50, the sea floor"
+    void require_valid(const WaterPoints& points, const WaterSamples& samples) const;
+
    protected:
     /// \throws std::invalid_argument  if the density is not in [500, 2000]
     WaterKinematics(double water_density_kgpm3, double time_s);
 
+    double time_s_;
+
    private:
-    double water_density_kgpm3_, time_s_;
+    double water_density_kgpm3_;
 };
 
 }  // namespace pelagic

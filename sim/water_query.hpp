@@ -36,6 +36,7 @@ class WaterQuery final : public WaterKinematics {
     const SurfaceQuery& surface() const { return surface_; }
     /// Returns the queried frame.
     const Frame& frame() const { return surface_.frame(); }
+    double floor_m() const override { return frame().water_frame.sea_level_m - frame().sea.depth_m; }
     const Frame* frame_or_null() const override { return &frame(); }
 
    private:

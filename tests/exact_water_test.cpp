@@ -18,7 +18,7 @@
 
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/dispersion.hpp"
-#include "pelagic/sim/exact_water_jobs.hpp"
+#include "pelagic/sim/water_jobs.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/tests/each_isa.hpp"
@@ -362,7 +362,7 @@ TEST_P(ExactWaterOnEachIsa, HasTheBitsOfEveryOtherAndOfAnyThreads) {
         const ExactWater water = ExactWater(sea, {.executor = executor, .isa = GetParam()}).at(34.5);
         const Results expected = sampled(first, points);
         Results results(points.x.size());
-        ExactWaterJobs(executor).sample(water, points.points(), results.samples());
+        WaterJobs(executor).sample(water, points.points(), results.samples());
         for (std::size_t quantity = 0; quantity < quantities; ++quantity)
             EXPECT_EQ(std::memcmp(results.all[quantity].data(), expected.all[quantity].data(), 4 * points.x.size()), 0)
                 << quantity;

@@ -14,6 +14,7 @@ class StillWater : public WaterKinematics {
     explicit StillWater(double time_s = 0) : WaterKinematics(1025, time_s) {}
 
     const WaterKinematics& query() const { return *this; }
+    double floor_m() const override { return -1e7; }
     void sample(const WaterPoints& points, const WaterSamples& samples) const override {
         for (std::size_t i = 0; i < points.x.size(); ++i) {
             const Motion motion = motion_at(points.x[i], points.y[i], points.z[i]);

@@ -94,14 +94,171 @@ Errors largest_errors(double texels, double period_s, double water_m, double dir
     return errors;
 }
 
-TEST(WaterQuery, Prints) {
+// Waves from 8 texels on for the pressure, and from 16 for velocities, in deep and shallow water, on a
+// grid that lies askew to the waves.
+TEST(WaterQuery, PressureAndVelocityAreAirysAtEachDepth) {
     for (const double water_m : {4000.0, 20.0, 5.0})
         for (const double texels : {8.0, 16.0, 32.0, 64.0, 128.0}) {
             const Errors errors = largest_errors(texels, 6, water_m, 0.4);
-            const Errors top = largest_errors(texels, 6, water_m, 0.4, true);
-            std::printf("%6.0f m %4.0f texels: p %.4f v %.4f a %.4f  surface p %.4f v %.4f a %.4f\n", water_m, texels, errors.pressure,
-                        errors.velocity, errors.acceleration, top.pressure, top.velocity, top.acceleration);
+            SCOPED_TRACE(testing::Message() << water_m << " m, " << texels << " texels");
+            EXPECT_LT(errors.pressure, 0.03);
+            if (texels >= 16) EXPECT_LT(errors.velocity, 0.03);
+            // -grad(p) / rho, by derivatives of the fit between depths
+            if (texels >= 16) EXPECT_LT(errors.acceleration, 0.1);
         }
+}
+
+TEST(WaterQuery, VelocityAtTheSurfaceIsAirys) {
+    for (const double water_m : {4000.0, 20.0, 5.0})
+        for (const double texels : {8.0, 16.0, 32.0, 128.0})
+            EXPECT_LT(largest_errors(texels, 6, water_m, 0.4, true).velocity, texels < 16 ? 0.03 : 0.01)
+                << water_m << " m, " << texels << " texels";
+}
+
+/// Points around the surface of a steep sea.
+struct Points {
+    std::vector<double> x, y, z;
+    explicit Points(int count) {
+        for (int i = 0; i < count; ++i) {
+            x.push_back(97 * std::sin(1.0 + i));
+            y.push_back(2.0 - 0.02 * (i % 700));
+            z.push_back(131 * std::cos(3.0 * i));
+        }
+    }
+    WaterPoints all() const { return {x, y, z}; }
+};
+
+SeaState steep_sea(int cascades) {
+    SeaState sea{.wind_speed_mps = 14};
+    sea.cascades = cascades;
+    sea.resolution = cascades == 1 ? 128 : 64;
+    if (cascades == 1) sea.patch_size_m = 300;
+    return sea;
+}
+
+class WaterQueryOnEachIsa : public OnEachIsa {};
+INSTANTIATE_TEST_SUITE_P(Isas, WaterQueryOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+
+// On the surface that is queried, the pressure is 0, and it grows by the weight of the water above.
+TEST_P(WaterQueryOnEachIsa, PressureIsZeroAtTheDrawnSurface) {
+    for (const int cascades : {1, 4}) {
+        Ocean ocean(steep_sea(cascades), {.executor = make_serial_executor(), .isa = GetParam(), .queries = true, .depth = true});
+        const Frame& frame = ocean.frame_at(12.5);
+        const WaterQuery water(frame);
+        Points points(700);
+        std::vector<float> heights(points.x.size());
+        water.surface().sample({points.x, points.z}, {.height_m = heights});
+        for (const double below_m : {0.0, 1e-3, 0.05}) {
+            for (std::size_t i = 0; i < heights.size(); ++i) points.y[i] = static_cast<double>(heights[i]) - below_m;
+            Motion motion(points.x.size());
+            water.sample(points.all(), motion.samples());
+            for (std::size_t i = 0; i < heights.size(); ++i) {
+                EXPECT_NEAR(motion.depth[i], below_m, 1e-6);
+                // waves of 3 texels, the shortest, fade over 4 cm
+                EXPECT_NEAR(motion.pressure[i] / (1025 * gravity_mps2), below_m, 1e-5 + 0.9 * below_m) << i;
+            }
+        }
+    }
+}
+
+/// Returns the bytes of all results.
+std::string bytes_of(const Motion& motion) {
+    std::string bytes;
+    for (const auto* values :
+         {&motion.depth, &motion.pressure, &motion.vx, &motion.vy, &motion.vz, &motion.ax, &motion.ay, &motion.az})
+        bytes.append(reinterpret_cast<const char*>(values->data()), values->size() * sizeof(float));
+    return bytes;
+}
+
+TEST(WaterQuery, ResultsAreBitIdentical) {
+    for (const int cascades : {1, 4}) {
+        std::string first;
+        for (const Isa isa : isas_here())
+            for (const bool has_threads : {false, true}) {
+                Ocean ocean(steep_sea(cascades),
+                            {.executor = has_threads ? make_thread_executor(3) : make_serial_executor(),
+                             .isa = isa,
+                             .queries = true,
+                             .velocities = has_threads ? Velocities::water : Velocities::none,
+                             .depth = true});
+                const Points points(900);
+                Motion motion(points.x.size());
+                WaterQuery(ocean.frame_at(3.25)).sample(points.all(), motion.samples());
+                if (first.empty()) first = bytes_of(motion);
+                EXPECT_TRUE(bytes_of(motion) == first) << name_of(isa) << cascades;
+            }
+    }
+}
+
+// A frame's levels are functions of the sea and the time, whatever was shown before.
+TEST(WaterQuery, ASeaThatReplacesAnotherIsThatOfANewOcean) {
+    SeaState shallow = steep_sea(1);
+    shallow.depth_m = 9;
+    const OceanOptions options{.executor = make_serial_executor(), .queries = true, .depth = true};
+    Ocean changed(steep_sea(1), options), made(shallow, options);
+    changed.frame_at(1);
+    changed.schedule_sea(shallow);
+    changed.complete_sea();
+    Points points(900);
+    for (double& y : points.y) y = std::max(y, -9.0);
+    Motion motion(points.x.size()), expected(points.x.size());
+    WaterQuery(changed.frame_at(7)).sample(points.all(), motion.samples());
+    WaterQuery(made.frame_at(7)).sample(points.all(), expected.samples());
+    EXPECT_TRUE(bytes_of(motion) == bytes_of(expected));
+}
+
+// During a change the levels blend as the surface does: a point just below it has its height.
+TEST(WaterQuery, LevelsBlendDuringAChange) {
+    SeaState calm = steep_sea(1), rough = calm;
+    calm.wind_speed_mps = 6;
+    calm.choppiness = rough.choppiness = 0;
+    Forecast forecast{.first = calm, .changes = {{.sea = rough, .from_s = 10, .over_s = 20}}, .largest_peak_m = 200};
+    Ocean ocean(forecast, {.executor = make_serial_executor(), .queries = true, .depth = true});
+    Points points(900);
+    for (const double time_s : {5.0, 15.0, 22.0, 40.0}) {
+        const Frame& frame = ocean.frame_at(time_s);
+        const WaterQuery water(frame, {.surface = {.interpolation = Interpolation::cubic}});
+        // At a depth of three texels, where the pressure is a level's, against the surface's waves without
+        // those that have faded: both have the mean square of 0.6 to 0.95 of the surface's.
+        double surface = 0, below = 0;
+        std::vector<float> heights(points.x.size());
+        water.surface().sample({points.x, points.z}, {.height_m = heights});
+        const double texel_m = frame.cascades[0].texel_m();
+        for (std::size_t i = 0; i < heights.size(); ++i) points.y[i] = static_cast<double>(heights[i]) - 3 * texel_m;
+        Motion motion(points.x.size());
+        water.sample(points.all(), motion.samples());
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            const double head_m = static_cast<double>(motion.pressure[i]) / (1025 * gravity_mps2) + points.y[i];
+            surface += static_cast<double>(heights[i]) * static_cast<double>(heights[i]);
+            below += head_m * head_m;
+        }
+        EXPECT_GT(below, 0.2 * surface) << time_s;
+        EXPECT_LT(below, 0.95 * surface) << time_s;
+    }
+}
+
+TEST(WaterQuery, RefusesWhatItCannotSampleInOneLine) {
+    Ocean ocean(steep_sea(1), {.executor = make_serial_executor(), .queries = true});
+    const Frame& frame = ocean.frame_at(0);
+    EXPECT_EQ(message_of([&] { WaterQuery water(frame); }),
+              "the frame has no water below its surface: the ocean was created without OceanOptions::depth");
+    SeaState shallow = steep_sea(1);
+    shallow.depth_m = 50;
+    Ocean deep(shallow, {.executor = make_serial_executor(), .queries = true, .depth = true});
+    const Frame& with_depth = deep.frame_at(0);
+    EXPECT_EQ(message_of([&] { WaterQuery water(with_depth, {.water_density_kgpm3 = 1}); }),
+              "water_density_kgpm3 1 is out of range [500, 2000]");
+    const WaterQuery water(with_depth);
+    const std::vector<double> x = {0, 1}, y = {-1, -60}, z = {0, 0};
+    std::vector<float> out(2), three(3);
+    EXPECT_EQ(message_of([&] { water.sample({x, y, z}, {.pressure_pa = out}); }),
+              "y[1] is -60, expected at least -50, the sea floor");
+    EXPECT_EQ(message_of([&] { water.sample({x, x, z}, {.pressure_pa = three}); }),
+              "pressure_pa has 3 elements, expected 2 or none");
+    EXPECT_EQ(message_of([] {
+                  Ocean pond({.waves = WaveModel::pond}, {.executor = make_serial_executor(), .depth = true});
+              }),
+              "depth cannot be combined with waves pond, which have no motion below the surface");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kinematics/wave_lists.hpp"
@@ -139,10 +140,10 @@ struct ExactWater::Chunk {
     };
 };
 
-ExactWater::ExactWater(const SeaState& sea, const ExactWaterOptions& options) {
+ExactWater::ExactWater(const SeaState& sea, const ExactWaterOptions& options)
+    : WaterKinematics(checked(options).water_density_kgpm3, 0) {
     const DefaultFloatEnvironment environment;
-    for (const std::string& message : {pelagic::check(sea), pelagic::check(options)})
-        if (!message.empty()) throw std::invalid_argument(message);
+    checked(sea);
     if (sea.waves == WaveModel::pond)
         throw std::invalid_argument(
             invalid_value_message("waves", name_of(sea.waves), "spectrum, analytic or regular"));
@@ -152,13 +153,15 @@ ExactWater::ExactWater(const SeaState& sea, const ExactWaterOptions& options) {
 }
 
 ExactWater::ExactWater(std::shared_ptr<const Waves> waves)
-    : waves_(std::move(waves)), moment_(std::make_unique<Moment>(*waves_)) {}
+    : WaterKinematics(waves->density_kgpm3, 0), waves_(std::move(waves)), moment_(std::make_unique<Moment>(*waves_)) {}
 
 ExactWater::~ExactWater() = default;
 ExactWater::ExactWater(ExactWater&&) noexcept = default;
 ExactWater& ExactWater::operator=(ExactWater&&) noexcept = default;
 
 double ExactWater::depth_m() const { return waves_->depth_m; }
+
+double ExactWater::floor_m() const { return moment_->origin.y_m - waves_->depth_m; }
 
 std::size_t ExactWater::wave_count() const {
     std::size_t count = 0;
@@ -186,24 +189,6 @@ ExactWater ExactWater::at(double time_s) const {
 bool ExactWater::has_sample(double x, double z) const {
     const double max_m = max_texels_away * waves_->texel_m;
     return std::fabs(x) <= max_m && std::fabs(z) <= max_m;  // false for NaN
-}
-
-void ExactWater::check(const WaterPoints& points, const WaterSamples& samples) const {
-    const std::size_t count = points.x.size();
-    require_length("y", points.y.size(), count, ", as x has");
-    require_length("z", points.z.size(), count, ", as x has");
-    require_lengths(count, std::pair("depth_m", samples.depth_m), std::pair("pressure_pa", samples.pressure_pa),
-                    std::pair("velocity_x_mps", samples.velocity_x_mps),
-                    std::pair("velocity_y_mps", samples.velocity_y_mps),
-                    std::pair("velocity_z_mps", samples.velocity_z_mps),
-                    std::pair("acceleration_x_mps2", samples.acceleration_x_mps2),
-                    std::pair("acceleration_y_mps2", samples.acceleration_y_mps2),
-                    std::pair("acceleration_z_mps2", samples.acceleration_z_mps2));
-    const double floor_m = moment_->origin.y_m - waves_->depth_m;
-    for (std::size_t i = 0; i < count; ++i)
-        if (points.y[i] < floor_m && std::isfinite(points.y[i]))
-            throw std::invalid_argument(invalid_value_message("y[" + number_text(i) + "]", points.y[i],
-                                                              "at least " + number_text(floor_m) + ", the sea floor"));
 }
 
 void ExactWater::check(const SurfacePoints& points, const SurfaceSamples& samples) const {
@@ -278,7 +263,7 @@ void ExactWater::sum_water(Chunk& chunk) const {
 void ExactWater::sample(const WaterPoints& points, const WaterSamples& samples) const {
     using Job = SumWaterJob;
     const DefaultFloatEnvironment environment;
-    check(points, samples);
+    require_valid(points, samples);
     const bool has_motion = [&] {
         for (const auto& span :
              {samples.pressure_pa, samples.velocity_x_mps, samples.velocity_y_mps, samples.velocity_z_mps,
@@ -297,8 +282,8 @@ void ExactWater::sample(const WaterPoints& points, const WaterSamples& samples) 
             const double y = points.y[chunk.first + i] - moment_->origin.y_m, below = chunk.height[i] - y;
             chunk.has_sample[i] = chunk.has_sample[i] && std::isfinite(y);
             // A trough below the floor has no water.
-            const bool is_water = chunk.has_sample[i] && below >= 0 && floor_m + chunk.height[i] > 0;
-            chunk.depth[i] = is_water ? floor_m * below / (floor_m + chunk.height[i]) : -1;
+            const bool is_water = chunk.has_sample[i] && floor_m + chunk.height[i] > 0;
+            chunk.depth[i] = is_water ? floor_m * std::max(below, 0.0) / (floor_m + chunk.height[i]) : -1;
         }
         if (has_motion) sum_water(chunk);
         for (std::size_t i = 0; i < chunk.count; ++i) {
@@ -317,7 +302,7 @@ void ExactWater::sample(const WaterPoints& points, const WaterSamples& samples) 
             const std::array<double, Job::sums>& sums = chunk.sums[i];
             const bool is_water = chunk.depth[i] >= 0;
             write(samples.pressure_pa, at,
-                  is_water ? waves_->density_kgpm3 * gravity_mps2 * (sums[Job::head] - y) : 0);
+                  is_water && chunk.height[i] > y ? waves_->density_kgpm3 * gravity_mps2 * (sums[Job::head] - y) : 0);
             write(samples.velocity_x_mps, at, is_water ? sums[Job::along] + frame.current_x_mps : 0);
             write(samples.velocity_y_mps, at, sums[Job::up]);
             write(samples.velocity_z_mps, at, is_water ? sums[Job::across] + frame.current_z_mps : 0);

@@ -14,7 +14,6 @@
 #include "pelagic/sim/buffers/shore_at.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/query/no_sample.hpp"
 #include "pelagic/sim/query/query_chunks.hpp"
 #include "pelagic/sim/query/water_sampler.hpp"
 #include "pelagic/simd/float_environment.hpp"

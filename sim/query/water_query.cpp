@@ -2,15 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
-#include <string>
 
-#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/buffers/shore_at.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/query/cascade_cell.hpp"
-#include "pelagic/sim/query/no_sample.hpp"
 #include "pelagic/sim/query/query_chunks.hpp"
 #include "pelagic/sim/query/water_sampler.hpp"
 #include "pelagic/simd/constants.hpp"
@@ -41,12 +37,6 @@ HeadSample surface_head(const Cascade& cascade, const TexelPosition& at, Interpo
 
 }  // namespace
 
-WaterKinematics::WaterKinematics(double water_density_kgpm3, double time_s)
-    : water_density_kgpm3_(water_density_kgpm3), time_s_(time_s) {
-    if (!(water_density_kgpm3 >= 500 && water_density_kgpm3 <= 2000))
-        throw std::invalid_argument(invalid_value_message("water_density_kgpm3", water_density_kgpm3, "[500, 2000]"));
-}
-
 WaterQuery::WaterQuery(const Frame& frame, const WaterQueryOptions& options)
     : WaterKinematics(options.water_density_kgpm3, frame.time_s), surface_(frame, options.surface) {
     for (const Cascade& cascade : frame.cascades)
@@ -55,30 +45,8 @@ WaterQuery::WaterQuery(const Frame& frame, const WaterQueryOptions& options)
                 "the frame has no water below its surface: the ocean was created without OceanOptions::depth");
 }
 
-void require_equal_lengths(const WaterPoints& points, const WaterSamples& samples) {
-    const std::size_t count = points.x.size();
-    const auto need = [count](const char* name, std::size_t size, const char* or_else) {
-        if (size != count)
-            throw std::invalid_argument(std::string(name) + " has " + number_text(size) + " elements, expected " +
-                                        number_text(count) + or_else);
-    };
-    need("y", points.y.size(), ", as x has");
-    need("z", points.z.size(), ", as x has");
-    const auto need_room = [&](const char* name, std::span<float> values) {
-        if (!values.empty()) need(name, values.size(), " or none");
-    };
-    need_room("depth_m", samples.depth_m);
-    need_room("pressure_pa", samples.pressure_pa);
-    need_room("velocity_x_mps", samples.velocity_x_mps);
-    need_room("velocity_y_mps", samples.velocity_y_mps);
-    need_room("velocity_z_mps", samples.velocity_z_mps);
-    need_room("acceleration_x_mps2", samples.acceleration_x_mps2);
-    need_room("acceleration_y_mps2", samples.acceleration_y_mps2);
-    need_room("acceleration_z_mps2", samples.acceleration_z_mps2);
-}
-
 void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) const {
-    require_equal_lengths(points, samples);
+    require_valid(points, samples);
     const DefaultFloatEnvironment environment;
     const Frame& frame = surface_.frame();
     const std::span<const Cascade> cascades = frame.cascades;

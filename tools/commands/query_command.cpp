@@ -15,10 +15,11 @@
 #include <vector>
 
 #include "pelagic/sim/exact_water.hpp"
-#include "pelagic/sim/exact_water_jobs.hpp"
+#include "pelagic/sim/water_jobs.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
+#include "pelagic/sim/water_query.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/events/event_player.hpp"
@@ -279,7 +280,7 @@ class QueryCommand final : public Command {
     ComputeFlags compute_;
     FloorFlags floor_;
     WaterFrameFlags water_frame_;
-    std::optional<std::string> points_, time_, times_, record_, rate_, interpolation_;
+    std::optional<std::string> points_, time_, times_, record_, rate_, interpolation_, velocities_;
     bool json_ = false, foam_ = false;
 };
 
@@ -297,6 +298,10 @@ void QueryCommand::add_options(CLI::App& app) {
                    "between texels; cubic keeps short waves, linear is the drawn surface; exact adds all waves "
                    "at points of the undisplaced water (default: cubic)")
         ->type_name(alternatives(names_of<QueryMethod>()));
+    app.add_option("--velocities", velocities_,
+                   "drawn: of the drawn surface; water: the water's own, without waves of less than six texels "
+                   "(default: drawn)")
+        ->type_name("drawn|water");
 
     app.option_defaults()->group(help_group::output);
     app.add_flag("--foam", foam_, "add a column with the foam coverage, 0 to 1");
@@ -320,7 +325,7 @@ void QueryCommand::add_options(CLI::App& app) {
         "error, or with --json as interpolation in each object. Other columns of the file are copied in\n"
         "front of the results. A file may have any length. It is read in blocks of 32768 points: an\n"
         "invalid line ends the command when its block is read, and --times applies to one block at a time.\n"
-        "With a column y, --interpolation exact prints pressure_pa, velocity_x_mps, velocity_y_mps,\n"
+        "With a column y the command prints pressure_pa, velocity_x_mps, velocity_y_mps,\n"
         "velocity_z_mps, acceleration_x_mps2, acceleration_y_mps2, acceleration_z_mps2 and\n"
         "depth_below_surface_m of the water at that height, for sea water of 1025 kg/m^3.\n"
         "--record prints a row for each time, then lines # NAME,VALUE: Hm0_m, Tp_s, Tz_s (upward crossings\n"
@@ -372,6 +377,7 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
     for (const auto& [flag, is_given] : {std::pair("--points", points_.has_value()),
                                          {"--record", record_.has_value()},
                                          {"--interpolation", interpolation_.has_value()},
+                                         {"--velocities", velocities_.has_value()},
                                          {"--foam", foam_}})
         if (is_given) throw InputError(std::string(flag) + " cannot be combined with --hull");
     const ComputeOptions compute = compute_.resolve();
@@ -413,6 +419,7 @@ void QueryCommand::run_exact(const ResolvedSea& sea, const std::vector<double>& 
     for (const auto& [flag, is_given] : {std::pair("--foam", foam_),
                                          {"--floor", floor_.has_floor()},
                                          {"--shore", floor_.has_shore()},
+                                         {"--velocities", velocities_.has_value()},
                                          {"--events", events_.resolve(sea.sea.depth_m).has_value()},
                                          {"--weather", !sea.changes.empty()},
                                          {"--waves pond", sea.sea.waves == WaveModel::pond}})
@@ -431,7 +438,7 @@ void QueryCommand::run_exact(const ResolvedSea& sea, const std::vector<double>& 
     if (record && (block.size() > 1 || reader.has_y()))
         throw InputError("--record needs one point x,z, and " + bytes.name() + " has " +
                          (block.size() > 1 ? "more" : "a column y"));
-    ExactWaterJobs jobs(executor);
+    WaterJobs jobs(executor);
     SampleBuffers surface(false, false);
     WaterBuffers below;
     ResultColumns& results = reader.has_y() ? static_cast<ResultColumns&>(below) : surface;
@@ -485,6 +492,9 @@ void QueryCommand::run() {
     const QueryMethod method =
         interpolation_ ? one_of<QueryMethod>("--interpolation", *interpolation_) : QueryMethod::cubic;
     if (method == QueryMethod::exact) return run_exact(sea, times_s, record);
+    const Velocities velocities =
+        velocities_ ? one_of<Velocities>("--velocities", *velocities_) : Velocities::drawn;
+    if (velocities == Velocities::none) throw InputError("--velocities none, expected drawn or water");
     const Interpolation interpolation = method == QueryMethod::cubic ? Interpolation::cubic : Interpolation::linear;
     const ComputeOptions compute = compute_.resolve();
     const WaterFrame water = water_frame_.resolve(floor_.has_shore());
@@ -495,25 +505,32 @@ void QueryCommand::run() {
     PointBytes bytes(points_);
     PointReader reader(bytes.name(), [&](std::span<char> to) { return bytes.read(to); });
     PointBlock block;
+    reader.set_min_y(water.sea_level_m - sea.sea.depth_m, "the sea floor");
     bool has_points = reader.read_block(block, block_points);
-    if (record && block.size() > 1)
-        throw InputError("--record needs one point, and " + bytes.name() + " has more");
-    if (reader.has_y())
-        throw InputError("the points' column y needs --interpolation exact, which samples the water at that height");
+    if (record && (block.size() > 1 || reader.has_y()))
+        throw InputError("--record needs one point x,z, and " + bytes.name() + " has " +
+                         (block.size() > 1 ? "more" : "a column y"));
+    if (reader.has_y() && (foam_ || velocities_))
+        throw InputError(std::string(foam_ ? "--foam" : "--velocities") +
+                         " cannot be combined with points that have a column y");
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(forecast_of(sea), {.executor = executor,
                                    .isa = compute.isa,
                                    .queries = true,
-                                   .velocities = Velocities::drawn,
+                                   .velocities = reader.has_y() ? Velocities::none : velocities,
+                                   .depth = reader.has_y(),
                                    .foam = foam_,
                                    .shore = shore});
     ocean.set_water_frame(water);
     std::optional<EventPlayer> player;
     if (events) player.emplace(*events, executor, compute.isa, water);
     SurfaceQueryJobs jobs(executor);
+    WaterJobs water_jobs(executor);
     SampleBuffers samples(foam_, shore.has_value());
-    RowWriter rows(executor, samples, name_of(interpolation), json_, times_.has_value() || record);
+    WaterBuffers below;
+    ResultColumns& results = reader.has_y() ? static_cast<ResultColumns&>(below) : samples;
+    RowWriter rows(executor, results, name_of(interpolation), json_, times_.has_value() || record);
     std::optional<RecordFooter> footer;
     SpanNote span_note(repeat_length_m(sea.sea));
     std::optional<Frame> frame;
@@ -528,7 +545,7 @@ void QueryCommand::run() {
         progress.begin_block(points, done, until);
         points += block.size();
         done = until;
-        samples.resize(block.size());
+        results.resize(block.size());
         span_note.extend(block);
         for (const double time_s : times_s) {
             progress.show(time_s);
@@ -536,15 +553,19 @@ void QueryCommand::run() {
                 frame = ocean.frame_at(time_s);
                 if (player) frame = with_water(*frame, player->at(time_s));
             }
-            jobs.sample(SurfaceQuery(*frame, {.interpolation = interpolation}), {block.x, block.z},
-                        samples.samples());
+            const SurfaceQueryOptions surface{.interpolation = interpolation};
+            if (reader.has_y())
+                water_jobs.sample(WaterQuery(*frame, {.surface = surface}), {block.x, block.y, block.z},
+                                  below.samples(0, block.size()));
+            else
+                jobs.sample(SurfaceQuery(*frame, surface), {block.x, block.z}, samples.samples(0, block.size()));
             if (record) {
                 const double floor_m =
                     frame->shore ? pelagic::sample(frame->shore, block.x[0], block.z[0]).depth_m : sea.sea.depth_m;
                 if (!footer) footer.emplace(record->rate_hz, std::max(floor_m, 0.01));
                 footer->add(samples);
             }
-            for (std::size_t i = 0; i < samples.depths().size(); ++i)
+            for (std::size_t i = 0; !reader.has_y() && i < samples.depths().size(); ++i)
                 samples.depths()[i] =
                     static_cast<float>(pelagic::sample(frame->shore, block.x[i], block.z[i]).depth_m);
             progress.clear();

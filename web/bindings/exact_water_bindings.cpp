@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pelagic/sim/exact_water.hpp"
-#include "pelagic/sim/exact_water_jobs.hpp"
+#include "pelagic/sim/water_jobs.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
 #include "pelagic/web/bindings/ocean_options.hpp"
 
@@ -106,7 +106,7 @@ class ExactWaterBinding {
         : water_(sea, options), jobs_(options.executor) {}
 
     ExactWater water_;
-    ExactWaterJobs jobs_;
+    WaterJobs jobs_;
 };
 
 val create_exact_water(const val& options) {

@@ -1,4 +1,4 @@
-#include "pelagic/sim/exact_water_jobs.hpp"
+#include "pelagic/sim/water_jobs.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,16 +9,16 @@
 namespace pelagic {
 namespace {
 
-// A point takes tens of microseconds. The number of jobs in a graph is fixed, so a batch is divided
+// A point takes up to tens of microseconds. The number of jobs in a graph is fixed, so a batch is divided
 // into that many jobs, or fewer if it is small.
 constexpr std::size_t exact_jobs = 64, min_exact_points = 16;
 
-/// A chunk of ExactWater and what it calls.
+/// A chunk of points and what its query calls.
 constexpr std::size_t exact_stack_bytes = 128 * 1024;
 
 }  // namespace
 
-struct ExactWaterJobs::State {
+struct WaterJobs::State {
     /// Runs work(begin, count) for pieces of all points.
     template <class Work>
     void run(std::size_t points, const Work& work) {
@@ -36,10 +36,10 @@ struct ExactWaterJobs::State {
     std::unique_ptr<GraphRun> graph_run;
 };
 
-ExactWaterJobs::ExactWaterJobs(std::shared_ptr<Executor> executor) : state_(new State) {
+WaterJobs::WaterJobs(std::shared_ptr<Executor> executor) : state_(new State) {
     if (!executor) throw std::invalid_argument("executor is null, expected an executor");
     state_->executor = std::move(executor);
-    state_->graph.add({.name = "exact water",
+    state_->graph.add({.name = "water",
                        .count = exact_jobs,
                        .body =
                            [state = state_.get()](std::size_t begin, std::size_t end) {
@@ -49,13 +49,13 @@ ExactWaterJobs::ExactWaterJobs(std::shared_ptr<Executor> executor) : state_(new 
     state_->graph_run = state_->executor->prepare(state_->graph);
 }
 
-ExactWaterJobs::~ExactWaterJobs() = default;
+WaterJobs::~WaterJobs() = default;
 
-void ExactWaterJobs::sample(const ExactWater& water, const WaterPoints& points, const WaterSamples& samples) {
-    water.check(points, samples);
+void WaterJobs::sample(const WaterKinematics& water, const WaterPoints& points, const WaterSamples& samples) {
+    water.require_valid(points, samples);
     state_->run(points.x.size(), [&](std::size_t begin, std::size_t count) {
         const auto of = [begin, count](auto all) { return all.empty() ? all : all.subspan(begin, count); };
-        water.sample({.x = of(points.x), .y = of(points.y), .z = of(points.z)},
+        water.sample({.x = of(points.x), .y = of(points.y), .z = of(points.z), .footprint_m = points.footprint_m},
                      {.depth_m = of(samples.depth_m),
                       .pressure_pa = of(samples.pressure_pa),
                       .velocity_x_mps = of(samples.velocity_x_mps),
@@ -67,7 +67,7 @@ void ExactWaterJobs::sample(const ExactWater& water, const WaterPoints& points, 
     });
 }
 
-void ExactWaterJobs::sample_surface(const ExactWater& water, const SurfacePoints& points,
+void WaterJobs::sample_surface(const ExactWater& water, const SurfacePoints& points,
                                     const SurfaceSamples& samples) {
     water.check(points, samples);
     state_->run(points.x.size(), [&](std::size_t begin, std::size_t count) {

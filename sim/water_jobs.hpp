@@ -1,4 +1,4 @@
-// Large batches of points in exact water, spread over an executor.
+// Large batches of points in the water, spread over an executor.
 #pragma once
 
 #include <memory>
@@ -8,18 +8,18 @@
 
 namespace pelagic {
 
-/// Samples exact water on an executor. One thread at a time may use an object.
-class ExactWaterJobs {
+/// Samples water on an executor. One thread at a time may use an object.
+class WaterJobs {
    public:
     /// \throws std::invalid_argument  if the executor is null
-    explicit ExactWaterJobs(std::shared_ptr<Executor> executor);
-    ~ExactWaterJobs();
-    ExactWaterJobs(const ExactWaterJobs&) = delete;
-    ExactWaterJobs& operator=(const ExactWaterJobs&) = delete;
+    explicit WaterJobs(std::shared_ptr<Executor> executor);
+    ~WaterJobs();
+    WaterJobs(const WaterJobs&) = delete;
+    WaterJobs& operator=(const WaterJobs&) = delete;
 
     /// Equals water.sample(points, samples), with bit-identical results.
     /// \throws std::invalid_argument  what that throws
-    void sample(const ExactWater& water, const WaterPoints& points, const WaterSamples& samples);
+    void sample(const WaterKinematics& water, const WaterPoints& points, const WaterSamples& samples);
     /// Equals water.sample_surface(points, samples), with bit-identical results.
     /// \throws std::invalid_argument  what that throws
     void sample_surface(const ExactWater& water, const SurfacePoints& points, const SurfaceSamples& samples);
