@@ -18,8 +18,8 @@
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/hull_states.hpp"
 #include "pelagic/tests/message_of.hpp"
-#include "pelagic/tests/potential_flow/bodies.hpp"
-#include "pelagic/tests/potential_flow/truths.hpp"
+#include "pelagic/tests/potential_flow.hpp"
+#include "pelagic/tests/potential_flow_bodies.hpp"
 
 namespace pelagic {
 namespace {

@@ -12,7 +12,7 @@
 #include "pelagic/floating/direction.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/message_of.hpp"
-#include "pelagic/tests/potential_flow/truths.hpp"
+#include "pelagic/tests/potential_flow.hpp"
 
 namespace pelagic {
 namespace {

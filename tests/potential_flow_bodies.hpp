@@ -1,4 +1,4 @@
-// The bodies of make_truths.py.
+// The bodies of potential_flow/make_truths.py.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Reads the tables of make_truths.py.
+// Reads the tables of potential_flow/make_truths.py.
 #pragma once
 
 #include <cmath>
