@@ -385,8 +385,9 @@ double surge_ratio(const Immersed& hull) {
     return 2 * half.heave_m2 / hull.waterplane_m2 * ends.along_a() * curved_m / (beam / 2);
 }
 
+/// Returns whether a section reaches through the water's surface. One that does not has a beam of rounding errors.
 bool is_immersed(const Section& section) {
-    return section.beam_m > 0 && section.draught_m > 0 && section.area_m2 > 0;
+    return section.draught_m > 0 && section.beam_m > 1e-4 * section.draught_m && section.area_m2 > 0;
 }
 
 }  // namespace
@@ -427,11 +428,13 @@ SectionCoefficients lewis_coefficients(const HullMesh& mesh, const glm::dvec3& c
         const double sway[] = {1, waterline_m, -x}, roll[] = {0, 1, 0};
         const double factor[] = {std::sqrt(sway_factor), std::sqrt(sway_factor), std::sqrt(yaw_factor)};
         for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j)
+            for (std::size_t j = 0; j <= i; ++j)
                 others[2 + i][2 + j] += per_metre * factor[i] * factor[j] *
                                         (of.sway_m2 * sway[i] * sway[j] + of.roll_m4 * roll[i] * roll[j] +
                                          of.sway_roll_m3 * (sway[i] * roll[j] + roll[i] * sway[j]));
     }
+    for (std::size_t i = 2; i < 5; ++i)
+        for (std::size_t j = 2; j < i; ++j) others[j][i] = others[i][j];
     at_infinity[0] *= heave_factor;
     at_infinity[1] *= std::sqrt(heave_factor * pitch_factor);
     at_infinity[2] *= pitch_factor;

@@ -29,9 +29,9 @@
 // a hemisphere, a spar, a barge and a boat is within 3 to 20 % in added mass and 25 % in damping; pitch of the
 // barge and the boat within 38 % and 75 %.
 //
-// Limitations. No forward speed. Deep water. A section has one Lewis form: the hulls of a catamaran
-// count as one, and the coupling of sway and roll of sections with hard chines has the wrong size or sign.
-// Radiation damping of surge, sway, roll and yaw is 0.
+// Limitations. No forward speed. Deep water. Sections that do not reach the surface do not count. A section has
+// one Lewis form: the hulls of a catamaran count as one, and the coupling of sway and roll of sections with hard
+// chines has the wrong size or sign. Radiation damping of surge, sway, roll and yaw is 0.
 #pragma once
 
 #include <glm/vec3.hpp>

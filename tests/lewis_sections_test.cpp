@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/floating/radiation_states.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/hull_meshes.hpp"
 #include "pelagic/tests/hull_states.hpp"
@@ -95,6 +96,38 @@ TEST(LewisSections, MatricesAreSymmetricAndPositive) {
         for (const HullMatrix& damping : found.table.damping)
             EXPECT_EQ(Hull::check(body.mesh, {.mass_kg = 1, .added_mass = damping}), "");
         EXPECT_NEAR(found.displaced_m3, body.volume_m3, 1e-2 * body.volume_m3);
+    }
+}
+
+/// Returns what Hull::check() says of a matrix whose diagonal is scaled to 1, where it is not 0.
+std::string check_scaled(const HullMesh& mesh, const HullMatrix& matrix) {
+    HullMatrix scaled = matrix;
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j)
+            if (matrix[i][i] > 0 && matrix[j][j] > 0) scaled[i][j] /= std::sqrt(matrix[i][i]) * std::sqrt(matrix[j][j]);
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < i; ++j) scaled[j][i] = scaled[i][j];  // rounding
+    return Hull::check(mesh, {.mass_kg = 1, .added_mass = scaled});
+}
+
+TEST(LewisSections, AnyDraughtGivesUsableMatrices) {
+    const HullMesh meshes[] = {box_mesh({4, 1, 3}),    box_mesh({0.01, 3, 5}), wedge_mesh(6, 2, 1.5),
+                               boat_mesh(4, 1.7, 0.8), sphere_mesh(1, 12, 8),  cylinder_mesh(0.5, 30, 12, 1),
+                               box_mesh({400, 1, 400})};
+    for (const HullMesh& mesh : meshes)
+        for (const double share : {1e-3, 0.01, 0.3, 0.6, 0.99}) {
+            SCOPED_TRACE(share);
+            const double waterline = mesh.lower_m().y + share * (mesh.upper_m().y - mesh.lower_m().y);
+            const SectionCoefficients found = lewis_coefficients(mesh, mesh.centre_m(), waterline, water_kgpm3);
+            EXPECT_GT(found.added_mass[1][1], 0);
+            EXPECT_EQ(check_scaled(mesh, found.added_mass), "");
+            EXPECT_EQ(check_scaled(mesh, found.damping), "");
+            EXPECT_EQ(check(found.table), "");
+        }
+    const HullMesh box = box_mesh({4, 1, 3});
+    for (const double waterline : {-0.5, -3.0, 0.5, 7.0}) {
+        const SectionCoefficients found = lewis_coefficients(box, glm::dvec3(0), waterline, water_kgpm3);
+        EXPECT_TRUE(std::isfinite(found.added_mass[1][1])) << waterline;
     }
 }
 
