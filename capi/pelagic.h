@@ -1376,10 +1376,11 @@ typedef struct pelagic_hull_options {
      * that fills the mesh evenly. */
     const double* inertia_kgm2;
     /* Added mass at rest, a symmetric and positive semi-definite matrix of 6 x 6 numbers by rows: surge, heave,
-     * sway (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL: derived from the sizes of
-     * waterline and draught. */
+     * sway (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL: that of the Lewis forms of the
+     * hull's sections. */
     const double* added_mass;
-    double heave_damping;        /* fraction of critical damping, of pitch too; [0, 0.999] */
+    /* Fraction of critical damping of heave, for pitch too; 0: by the waves that Lewis sections make; [0, 0.999]. */
+    double heave_damping;
     double roll_damping;         /* fraction of critical damping of roll at |GM|; [0, 0.999] */
     double pressure_coefficient; /* drag of advancing faces; [0, 10] */
     /* Drag of retreating faces; with pressure_coefficient 0.7 the drag is that of a cube, 1.05 (Hoerner 1965);
@@ -1397,7 +1398,7 @@ typedef struct pelagic_hull_options {
 } pelagic_hull_options;
 /* generated from schema/hull.toml: c-make */
 static inline pelagic_hull_options pelagic_hull_options_make(void) {
-    PELAGIC_ZEROS(pelagic_hull_options, options); options.heave_damping = 0.2; options.roll_damping = 0.05;
+    PELAGIC_ZEROS(pelagic_hull_options, options); options.roll_damping = 0.05;
     options.pressure_coefficient = 0.7; options.suction_coefficient = 0.35;
     options.friction_coefficient = 4e-3; options.air_coefficient = 1; options.water_density_kgpm3 = 1025;
     options.air_density_kgpm3 = 1.225; return options;

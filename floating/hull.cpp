@@ -10,6 +10,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "pelagic/floating/lewis_sections.hpp"
 #include "pelagic/floating/wet_surface.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
@@ -156,16 +157,24 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     for (double& weight : weights_) weight /= sum;
     find_rest();
     find_displaced_moments();
+    SectionCoefficients sections;
+    if (afloat_.floats)
+        sections = lewis_coefficients(mesh_, centre_of_mass_m_, centre_of_mass_m_.y - afloat_.height_m,
+                                      options.water_density_kgpm3);
     if (options.added_mass)
         added_mass_ = *options.added_mass;
+    else if (afloat_.floats)
+        added_mass_ = sections.added_mass;
     else
-        set_default_added_mass();
+        set_added_mass_of_plates();
     if (!afloat_.floats) return;
     const double weight_n = mass_kg_ * gravity_mps2;
     const double heave_n_per_m = options.water_density_kgpm3 * gravity_mps2 * afloat_.waterplane_m2;
     heave_wave_number_ = heave_n_per_m / (mass_kg_ + added_mass_[1][1]) / gravity_mps2;
-    strip_damping_ =
-        2 * options.heave_damping * std::sqrt(heave_n_per_m * (mass_kg_ + added_mass_[1][1])) / afloat_.waterplane_m2;
+    strip_damping_ = (options.heave_damping > 0
+                          ? 2 * options.heave_damping * std::sqrt(heave_n_per_m * (mass_kg_ + added_mass_[1][1]))
+                          : sections.damping[1][1]) /
+                     afloat_.waterplane_m2;
     roll_damping_ = 2 * options.roll_damping *
                     std::sqrt(weight_n * std::fabs(afloat_.roll_gm_m) * (inertia_kgm2_.x + added_mass_[3][3]));
 }
@@ -291,12 +300,11 @@ void Hull::find_displaced_moments() {
     displaced_m5_ = second - first * first / volume;
 }
 
-/// Water on one side halves the added mass of a plate that lies on the surface, and of the mirror
-/// image of a plate that stands in it. A hull that does not float is taken as half submerged.
-void Hull::set_default_added_mass() {
+/// Of a hull that sinks, as if it were half submerged. Water on one side halves the added mass of a plate
+/// that lies on the surface, and of the mirror image of a plate that stands in it.
+void Hull::set_added_mass_of_plates() {
     const glm::dvec3 size = mesh_.upper_m() - mesh_.lower_m();
-    const double density = options_.water_density_kgpm3;
-    const double draught = afloat_.floats ? afloat_.draught_m : size.y / 2;
+    const double density = options_.water_density_kgpm3, draught = size.y / 2;
     const auto half_plate = [&](double a, double b) { return plate_added_mass_kg(density, a, b) / 2; };
     const double heave = half_plate(size.x, size.z), sway = half_plate(size.x, 2 * draught);
     // Rotation: strips across the length, and a plate's rotation about its middle line, rho pi/8

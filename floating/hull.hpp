@@ -20,7 +20,8 @@
 //               pressure by Gauss' theorem
 //   drag        1/2 rho C S |w.n| w.n along -n, C for faces that advance and for faces that
 //               retreat; and 1/2 rho C_f S |w_t| w_t for the friction along a face
-//   radiation   linear damping of heave and pitch on strips across the length, and of roll. Of a hull
+//   radiation   linear damping of heave and pitch on strips across the length, by the waves that they
+//               make (lewis_sections.hpp), and of roll. Of a hull
 //               whose top is s below the surface exp(-2 k s) remains, with k of the waves that it makes
 //               when it heaves afloat: by Haskind's relation, damping goes with the square of the
 //               waves' force (Newman, chapter 6)
@@ -69,10 +70,12 @@ struct HullOptions {
     /// Moments of inertia about the axes through the centre of mass; [1e-15, 1e16]. Unset: those of
     /// a body that fills the mesh evenly.
     std::optional<glm::dvec3> inertia_kgm2 = {};
-    /// Added mass at rest, symmetric and positive semi-definite. Unset: flat plates of the
-    /// waterline's length and beam and of twice the draught (Newman, table 4.3).
+    /// Added mass at rest, symmetric and positive semi-definite. Unset: that of the Lewis forms of
+    /// the hull's sections at the resonance of heave (lewis_sections.hpp).
     std::optional<HullMatrix> added_mass = {};
-    double heave_damping = 0.2;         ///< fraction of critical damping, of pitch too; [0, 0.999]
+    /// Fraction of critical damping of heave, for pitch too; 0: by the waves that Lewis sections
+    /// make; [0, 0.999].
+    double heave_damping = 0;
     double roll_damping = 0.05;         ///< fraction of critical damping of roll at |GM|; [0, 0.999]
     double pressure_coefficient = 0.7;  ///< drag of advancing faces; [0, 10]
     /// Drag of retreating faces; with pressure_coefficient 0.7 the drag is that of a cube, 1.05
@@ -279,7 +282,7 @@ class Hull {
     void divide_triangles();
     void find_rest();
     void find_displaced_moments();
-    void set_default_added_mass();
+    void set_added_mass_of_plates();
 
     HullMesh mesh_;
     HullOptions options_;

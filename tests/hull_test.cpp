@@ -379,7 +379,7 @@ Hull frictionless(double surge_kg) {
     return Hull(box_mesh({4, 1, 2}), {.mass_kg = 4000,
                                      .inertia_kgm2 = glm::dvec3(1e9),
                                      .added_mass = added,
-                                     .heave_damping = 0,
+                                     .heave_damping = 1e-12,
                                      .roll_damping = 0,
                                      .pressure_coefficient = 0,
                                      .suction_coefficient = 0,

@@ -58,7 +58,7 @@ class Hull:
         centre_of_mass_m: Optional[ArrayLike] = None,
         inertia_kgm2: Optional[ArrayLike] = None,
         added_mass: Optional[ArrayLike] = None,
-        heave_damping: float = 0.2,
+        heave_damping: float = 0.0,
         roll_damping: float = 0.05,
         pressure_coefficient: float = 0.7,
         suction_coefficient: float = 0.35,
@@ -79,7 +79,8 @@ class Hull:
         inertia_kgm2  (3,), about axes through the centre of mass; None: of an even filling
         added_mass  (6, 6), of surge, heave, sway, roll, yaw and pitch at rest; None: derived from
                     the sizes of waterline and draught
-        heave_damping, roll_damping  fractions of critical damping; [0, 0.999]
+        heave_damping, roll_damping  fractions of critical damping; [0, 0.999]. Heave 0: by the
+            waves that the hull's sections make
         pressure_coefficient, suction_coefficient  drag of advancing and retreating faces; [0, 10]
         friction_coefficient  [0, 1]
         air_coefficient  drag of faces above the water; [0, 10]

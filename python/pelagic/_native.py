@@ -841,7 +841,6 @@ DEFAULTS: Dict[Any, Dict[str, Any]] = {
         "water_density_kgpm3": 1025,
     },
     pelagic_hull_options: {
-        "heave_damping": 0.2,
         "roll_damping": 0.05,
         "pressure_coefficient": 0.7,
         "suction_coefficient": 0.35,

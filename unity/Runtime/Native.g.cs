@@ -930,7 +930,9 @@ namespace Pelagic
     {
         /// <summary>mass, which has no default; [1e-6, 1e10]</summary>
         public double MassKg;
-        /// <summary>fraction of critical damping, of pitch too; [0, 0.999]</summary>
+        /// <summary>
+        /// Fraction of critical damping of heave, for pitch too; 0: by the waves that Lewis sections make; [0, 0.999].
+        /// </summary>
         public double HeaveDamping;
         /// <summary>fraction of critical damping of roll at |GM|; [0, 0.999]</summary>
         public double RollDamping;
@@ -1543,7 +1545,6 @@ namespace Pelagic
             return new pelagic_hull_options
             {
                 struct_size = (uint)sizeof(pelagic_hull_options),
-                heave_damping = 0.2,
                 roll_damping = 0.05,
                 pressure_coefficient = 0.7,
                 suction_coefficient = 0.35,
