@@ -92,6 +92,8 @@ HullState hull_state_of(const pelagic_hull_state* state, const char* name) {
             .orientation = glm::dquat(q[3], q[0], q[1], q[2]),
             .velocity_mps = vector_of(from.velocity_mps),
             .angular_velocity_radps = vector_of(from.angular_velocity_radps),
+            .wake_velocity_y_mps = from.wake_velocity_y_mps,
+            .wake_rotation_radps = vector_of(from.wake_rotation_radps),
             .submersion = from.submersion,
             .has_previous_step = from.has_previous_step != 0};
 }
@@ -111,6 +113,8 @@ pelagic_hull_state c_hull_state_of(const HullState& state) {
     out.orientation[3] = state.orientation.w;
     write(state.velocity_mps, out.velocity_mps);
     write(state.angular_velocity_radps, out.angular_velocity_radps);
+    out.wake_velocity_y_mps = state.wake_velocity_y_mps;
+    write(state.wake_rotation_radps, out.wake_rotation_radps);
     out.submersion = state.submersion;
     out.has_previous_step = state.has_previous_step;
     return out;

@@ -1443,8 +1443,12 @@ typedef struct pelagic_hull_state {
     double orientation[4];            /* unit quaternion x, y, z, w: world from hull */
     double velocity_mps[3];           /* of the centre of mass; [-1e4, 1e4] */
     double angular_velocity_radps[3]; /* [-1e4, 1e4] */
-    double submersion;                /* of the preceding step: fraction of the added mass; [0, 1] */
-    int32_t has_previous_step;        /* 0: no slamming */
+    /* Of the preceding step: vertical velocity and rotation of the dynamic waves at the hull, and fraction of added
+     * mass. */
+    double wake_velocity_y_mps;
+    double wake_rotation_radps[3];
+    double submersion;         /* [0, 1] */
+    int32_t has_previous_step; /* 0: no acceleration of dynamic waves and no slamming */
 } pelagic_hull_state;
 
 /* Writes the state of a hull that is upright and at rest in still water. The mesh's origin is at the position minus

@@ -86,6 +86,8 @@ void FloatingBodies::for_each_number(Motion& motion, Use use) {
     use(state.orientation.w), use(state.orientation.x), use(state.orientation.y), use(state.orientation.z);
     each(state.velocity_mps);
     each(state.angular_velocity_radps);
+    use(state.wake_velocity_y_mps);
+    each(state.wake_rotation_radps);
     use(state.submersion);
     double has_previous_step = state.has_previous_step;
     use(has_previous_step);

@@ -111,7 +111,8 @@ std::string Hull::check(const HullState& state) {
         return "the hull's angular_velocity_radps is out of range [-1e4, 1e4]";
     const double norm = glm::dot(state.orientation, state.orientation);
     if (!(std::fabs(norm - 1) < 1e-3)) return "the hull's orientation is not a unit quaternion";
-    if (!(state.submersion >= 0 && state.submersion <= 1))
+    if (!(std::fabs(state.wake_velocity_y_mps) <= 1e4) || !is_small(state.wake_rotation_radps, 1e4) ||
+        !(state.submersion >= 0 && state.submersion <= 1))
         return "what the hull's state remembers of its previous step is out of range";
     return {};
 }

@@ -103,8 +103,12 @@ struct HullState {
     glm::dquat orientation{1, 0, 0, 0};   ///< world from hull, unit
     glm::dvec3 velocity_mps{};            ///< of the centre of mass
     glm::dvec3 angular_velocity_radps{};  ///< in world axes
-    double submersion = 0;           ///< of the previous step: the fraction of the added mass
-    bool has_previous_step = false;  ///< false: no slamming
+    /// Of the previous step: mean vertical velocity and rotation of the dynamic waves that HullWake acts on, and
+    /// the fraction of the added mass.
+    double wake_velocity_y_mps = 0;
+    glm::dvec3 wake_rotation_radps{};
+    double submersion = 0;
+    bool has_previous_step = false;  ///< false: no acceleration of dynamic waves and no slamming
 };
 
 /// A force and its torque about the centre of mass, in world axes.
@@ -168,13 +172,14 @@ struct HullWorkspace {
     std::vector<float> depth_m, pressure_pa, velocity_x_mps, velocity_y_mps, velocity_z_mps;
     std::vector<float> depth_with_wake_m;
     double footprint_m = 0;  ///< of all points
-    std::vector<double> wake_m;
+    std::vector<double> wake_m, wake_up_mps;
     struct Vertex {
         glm::dvec3 arm_m;         ///< from the centre of mass, world axes
         glm::dvec3 relative_mps;  ///< velocity of the hull relative to the water
         double depth_m;           ///< below the surface, negative above it
         double head_m;            ///< pressure over density and gravity
         double wake_m = 0;        ///< of it, that of waves that HullWake acts on
+        double wake_up_mps = 0;   ///< vertical velocity of these waves
     };
     std::vector<Vertex> vertices;
 

@@ -43,6 +43,8 @@ struct MeanWater {
     glm::dvec3 velocity_mps{};
     double slope_x = 0, slope_z = 0;        // of the height
     double gradient_x = 0, gradient_z = 0;  // of the vertical velocity, 1/s
+    // vertical velocity of the waves that HullWake acts on
+    double wake_mps = 0, wake_gradient_x = 0, wake_gradient_z = 0;
 };
 
 MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex> vertices, double height_m,
@@ -58,11 +60,12 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
         z += weights[i] * vertex.arm_m.z;
         height += weights[i] * (vertex.arm_m.y + vertex.depth_m);
         mean.velocity_mps += weights[i] * water_velocity(vertex);
+        mean.wake_mps += weights[i] * vertex.wake_up_mps;
     }
     mean.x_m = x;
     mean.z_m = z;
     mean.height_m = height_m + height;
-    double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0;
+    double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0, xw = 0, zw = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const HullVertex& vertex = vertices[i];
         const double dx = vertex.arm_m.x - x, dz = vertex.arm_m.z - z;
@@ -72,6 +75,8 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
         xz += weights[i] * dx * dz;
         zz += weights[i] * dz * dz;
         xh += dx * dh, zh += dz * dh, xv += dx * dv, zv += dz * dv;
+        const double dw = weights[i] * (vertex.wake_up_mps - mean.wake_mps);
+        xw += dx * dw, zw += dz * dw;
     }
     const double determinant = xx * zz - xz * xz;
     if (determinant > 1e-9 * xx * zz) {
@@ -79,6 +84,8 @@ MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex
         mean.slope_z = (xx * zh - xz * xh) / determinant;
         mean.gradient_x = (zz * xv - xz * zv) / determinant;
         mean.gradient_z = (xx * zv - xz * xv) / determinant;
+        mean.wake_gradient_x = (zz * xw - xz * zw) / determinant;
+        mean.wake_gradient_z = (xx * zw - xz * xw) / determinant;
     }
     return mean;
 }
@@ -155,12 +162,13 @@ void Hull::append_points(const HullState& state, HullWorkspace& workspace) const
 void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point, const HullState& state,
                           const HullWake* wake, HullWorkspace& workspace) const {
     workspace.wake_m.assign(arms_m_.size(), 0);
+    workspace.wake_up_mps.assign(arms_m_.size(), 0);
     const auto ours = [&](auto& values) { return std::span(values).subspan(first_point, arms_m_.size()); };
     const std::span<float> depths = ours(workspace.depth_m);
     workspace.depth_with_wake_m.assign(depths.begin(), depths.end());
     if (wake)
         wake->leave_out(*water.frame_or_null(), ours(workspace.x), ours(workspace.z), depths,
-                        ours(workspace.velocity_y_mps), workspace.wake_m);
+                        ours(workspace.velocity_y_mps), workspace.wake_m, workspace.wake_up_mps);
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     const double m_per_pascal = 1 / (water.water_density_kgpm3() * gravity_mps2);
     workspace.vertices.resize(arms_m_.size());
@@ -175,6 +183,7 @@ void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point,
                               glm::dvec3(workspace.velocity_x_mps[point], workspace.velocity_y_mps[point],
                                          workspace.velocity_z_mps[point]);
         vertex.wake_m = workspace.wake_m[i];
+        vertex.wake_up_mps = workspace.wake_up_mps[i];
     }
 }
 
@@ -249,12 +258,29 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     drag.force.torque_nm += roll_nm * axes[0];
     drag.power_w += roll_nm * roll;
 
-    const double weight_npm3 = options_.water_density_kgpm3 * gravity_mps2;
+    const glm::dvec3 moments_m5 = glm::matrixCompMult(axes, axes) * displaced_m5_;
+    // Dynamic waves do not decrease with depth in the water's pressure, but do so to first order by the vertical
+    // acceleration of their surface, at a fixed position.
+    double wake_change = 0;
+    glm::dvec3 wake_spin_change{};
+    const glm::dvec3 wake_rotation(-mean.wake_gradient_z, 0, mean.wake_gradient_x);
+    if (inputs.wake && state.has_previous_step && step_s > 0) {
+        wake_change = (mean.wake_mps - state.wake_velocity_y_mps) / step_s;
+        // The surface turns the water of wide hulls, not that along deep ones.
+        wake_spin_change = (wake_rotation - state.wake_rotation_radps) / step_s *
+                           glm::dvec3(moments_m5.z / (moments_m5.y + moments_m5.z), 0,
+                                      moments_m5.x / (moments_m5.x + moments_m5.y));
+    }
+    const double along_wake =
+        state.velocity_mps.x * mean.wake_gradient_x + state.velocity_mps.z * mean.wake_gradient_z;
+    const double wake_mps2 =
+        inputs.wake && state.has_previous_step ? std::clamp(wake_change - along_wake, -gravity_mps2, gravity_mps2) : 0;
+    wake_change = std::clamp(wake_change, -gravity_mps2, gravity_mps2);
+    const double weight_npm3 = options_.water_density_kgpm3 * (gravity_mps2 + wake_mps2);
     loads.pressure = {weight_npm3 * wet.force_m3, weight_npm3 * wet.torque_m4};
     const double buoyancy_y_m3 = (mean.height_m - state.position_m.y) * loads.displaced_m3 - wet.depth_moment_m4;
-    const glm::dvec3 moments_m5 = glm::matrixCompMult(axes, axes) * displaced_m5_;
     const WaterChange change = water_change(wet, buoyancy_y_m3 / std::max(loads.displaced_m3, 1e-9), moments_m5);
-    loads.water_acceleration_mps2 = change.acceleration_mps2;
+    loads.water_acceleration_mps2 = change.acceleration_mps2 + glm::dvec3(0, wake_mps2, 0);
     if (inputs.wake) loads.pressure += inputs.wake->push(*water.frame_or_null(), state);
     loads.stiffness = in_hull(world_stiffness(wet, weight_npm3, buoyancy_y_m3), axes);
 
@@ -268,9 +294,13 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
         for (std::size_t j = 0; j < 6; ++j) loads.mass[i][j] += loads.submersion * added_mass_[i][j];
     // The added mass moves with the hull, so its momentum changes with the velocity of the water at
     // the hull. A steady wave that moves with the hull causes no change (Newman, chapter 7).
-    const glm::dvec3 moved(0, state.velocity_mps.x * mean.gradient_x + state.velocity_mps.z * mean.gradient_z, 0);
+    const glm::dvec3 moved(0,
+                           state.velocity_mps.x * (mean.gradient_x - mean.wake_gradient_x) +
+                               state.velocity_mps.z * (mean.gradient_z - mean.wake_gradient_z),
+                           0);
     const Vector6 acceleration =
-        joined(to_hull * (change.acceleration_mps2 + moved), to_hull * change.rotation_radps2);
+        joined(to_hull * (change.acceleration_mps2 + moved + glm::dvec3(0, wake_change, 0)),
+               to_hull * (change.rotation_radps2 + wake_spin_change));
     Vector6 inertial = product(added_mass_, acceleration);
     for (double& value : inertial) value *= loads.submersion;
     loads.added_mass = to_world(inertial);
@@ -300,6 +330,8 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     loads.impact_n = glm::length(loads.slamming.force_n) + kept * glm::length(advancing.force.force_n);
     loads.impact_w = std::max(impact_w, 0.0);
 
+    state.wake_velocity_y_mps = mean.wake_mps;
+    state.wake_rotation_radps = wake_rotation;
     state.submersion = loads.submersion;
     state.has_previous_step = true;
     return loads;

@@ -268,11 +268,11 @@ struct HullWake::Hollow {
 
 void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
                          std::span<float> height_m, std::span<float> velocity_y_mps,
-                         std::span<double> wake_m) const {
+                         std::span<double> wake_m, std::span<double> wake_up_mps) const {
     const std::size_t count = x.size();
     if (z.size() != count || height_m.size() != count || velocity_y_mps.size() != count ||
-        !(wake_m.empty() || wake_m.size() == count))
-        throw std::invalid_argument("x, z, height_m, velocity_y_mps and wake_m differ in length");
+        !(wake_m.empty() || wake_m.size() == count) || !(wake_up_mps.empty() || wake_up_mps.size() == count))
+        throw std::invalid_argument("x, z, height_m, velocity_y_mps, wake_m and wake_up_mps differ in length");
     const DefaultFloatEnvironment environment;
     const Hollow hollow(*this, frame);
     const WaterFrame::Origin origin = frame.water_frame.origin_at(frame.time_s);
@@ -284,6 +284,7 @@ void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::spa
                                  there = sample(frame.dynamic_waves, in_x, in_z);
         const Hollow::Depth own = hollow.at(in_x, in_z);
         if (!wake_m.empty()) wake_m[i] = there.height_m + own.depth_m;
+        if (!wake_up_mps.empty()) wake_up_mps[i] = there.vertical_velocity_mps + own.sinking_mps;
         height_m[i] = static_cast<float>(height_m[i] + there.height_m - here.height_m + own.depth_m);
         velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] + there.vertical_velocity_mps -
                                                here.vertical_velocity_mps + own.sinking_mps);

@@ -62,11 +62,12 @@ class HullWake {
     /// Removes the hull's own hollow from samples of the last completed frame, and replaces the
     /// dynamic waves at the hull by those at its pressure. Where the two are apart, the hull would
     /// otherwise slide down the wave that its moving pressure pushes ahead, and push it on.
-    /// \param wake_m  if not empty, receives the height of dynamic waves in the results
+    /// \param wake_m       if not empty, receives the height of dynamic waves in the results
+    /// \param wake_up_mps  if not empty, receives their vertical velocity in the results
     /// \throws std::invalid_argument  if the spans differ in length
     void leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
                    std::span<float> height_m, std::span<float> velocity_y_mps,
-                   std::span<double> wake_m = {}) const;
+                   std::span<double> wake_m = {}, std::span<double> wake_up_mps = {}) const;
 
     /// Returns the horizontal force of the last completed frame's dynamic waves on the pressure, and
     /// its torque about the vertical through the hull's centre of mass: rho g times the integral of

@@ -26,11 +26,11 @@ struct WaterPoints {
 
 /// Arrays that receive the results. Each span is as long as the points, or empty to leave that
 /// result out. No span may overlap another or the points. A position without a sample
-/// (SurfacePoints) has the quiet NaN 0x7fc00000. Above the surface the pressure is 0, and velocity and
-/// acceleration are those at the surface.
+/// (SurfacePoints) has the quiet NaN 0x7fc00000. Above the surface the pressure is negative, as if the water
+/// reached there, and velocity and acceleration are those at the surface.
 struct WaterSamples {
     std::span<float> depth_m = {};      ///< below the surface above the point; negative in the air
-    std::span<float> pressure_pa = {};  ///< above that of the air
+    std::span<float> pressure_pa = {};  ///< above that of the air, 0 at the surface
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};
     std::span<float> acceleration_x_mps2 = {}, acceleration_y_mps2 = {}, acceleration_z_mps2 = {};
 };

@@ -66,11 +66,13 @@ inline std::string difference(const pelagic_hull_state& c, const HullState& cpp)
     for (int axis = 0; axis < 3; ++axis) {
         if (c.position_m[axis] != cpp.position_m[axis]) return "position_m";
         if (c.velocity_mps[axis] != cpp.velocity_mps[axis]) return "velocity_mps";
+        if (c.wake_rotation_radps[axis] != cpp.wake_rotation_radps[axis]) return "wake_rotation_radps";
         if (c.angular_velocity_radps[axis] != cpp.angular_velocity_radps[axis]) return "angular_velocity_radps";
     }
     const glm::dquat& q = cpp.orientation;
     if (c.orientation[0] != q.x || c.orientation[1] != q.y || c.orientation[2] != q.z || c.orientation[3] != q.w)
         return "orientation";
+    if (c.wake_velocity_y_mps != cpp.wake_velocity_y_mps) return "wake_velocity_y_mps";
     if (c.submersion != cpp.submersion) return "submersion";
     return (c.has_previous_step != 0) == cpp.has_previous_step ? "" : "has_previous_step";
 }

@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-struct Response {
+struct HeadSeas {
     double heave, pitch;
 };
 
@@ -27,7 +27,7 @@ struct Response {
 /// and roll.
 /// \param step  step(state, time of its middle, its length)
 template <class Step>
-Response response(const Hull& hull, double wavelength_m, int periods, const Step& step) {
+HeadSeas head_seas(const Hull& hull, double wavelength_m, int periods, const Step& step) {
     const double k = two_pi / wavelength_m, omega = std::sqrt(gravity_mps2 * k), amplitude_m = 0.005 * wavelength_m;
     constexpr int steps = 80, measured = 4;  // of a period, and periods
     const double step_s = two_pi / omega / steps;
@@ -51,11 +51,11 @@ Response response(const Hull& hull, double wavelength_m, int periods, const Step
 }
 
 /// In the wave's closed form.
-Response response(const Hull& hull, double wavelength_m, int periods = 30) {
+HeadSeas head_seas(const Hull& hull, double wavelength_m, int periods = 30) {
     RegularWave water;
     HullWorkspace workspace;
     const double k = two_pi / wavelength_m;
-    return response(hull, wavelength_m, periods, [&](HullState& state, double time_s, double step_s) {
+    return head_seas(hull, wavelength_m, periods, [&](HullState& state, double time_s, double step_s) {
         water.set_wave(0.005 * wavelength_m, k, time_s);
         hull.step(water, state, step_s, {}, workspace);
     });
@@ -71,19 +71,19 @@ SeaState sea_of(double wavelength_m) {
 }
 
 /// In frames of an ocean.
-Response response_in_frames(const Hull& hull, double wavelength_m, int periods = 30) {
+HeadSeas head_seas_in_frames(const Hull& hull, double wavelength_m, int periods = 30) {
     Ocean ocean(sea_of(wavelength_m), {.executor = make_serial_executor(), .queries = true, .depth = true});
     HullWorkspace workspace;
-    return response(hull, wavelength_m, periods, [&](HullState& state, double time_s, double step_s) {
+    return head_seas(hull, wavelength_m, periods, [&](HullState& state, double time_s, double step_s) {
         hull.step(WaterQuery(ocean.frame_at(time_s)), state, step_s, {}, workspace);
     });
 }
 
 /// In the exact sum over the sea's waves.
-Response response_in_exact_water(const Hull& hull, double wavelength_m, int periods = 30) {
+HeadSeas head_seas_in_exact_water(const Hull& hull, double wavelength_m, int periods = 30) {
     ExactWater water(sea_of(wavelength_m));
     HullWorkspace workspace;
-    return response(hull, wavelength_m, periods, [&](HullState& state, double time_s, double step_s) {
+    return head_seas(hull, wavelength_m, periods, [&](HullState& state, double time_s, double step_s) {
         water.set_time(time_s);
         hull.step(water, state, step_s, {}, workspace);
     });
@@ -118,10 +118,10 @@ TEST(HullResponse, ASparHeavesAsFroudeAndKrylovWithAddedMass) {
     const Hull hull = spar.hull();
     // resonance at 130 m, which drag limits
     for (const double wavelength_m : {400.0, 300.0, 200.0, 80.0})
-        EXPECT_NEAR(response(hull, wavelength_m, 60).heave / spar.heave(wavelength_m), 1, 0.1) << wavelength_m;
-    EXPECT_GT(response(hull, 130, 60).heave, 2);
-    EXPECT_LT(response(hull, 60, 60).heave, 0.15);
-    EXPECT_LT(response(hull, 40, 60).heave, 0.05);
+        EXPECT_NEAR(head_seas(hull, wavelength_m, 60).heave / spar.heave(wavelength_m), 1, 0.1) << wavelength_m;
+    EXPECT_GT(head_seas(hull, 130, 60).heave, 2);
+    EXPECT_LT(head_seas(hull, 60, 60).heave, 0.15);
+    EXPECT_LT(head_seas(hull, 40, 60).heave, 0.05);
 }
 
 TEST(HullResponse, FramesAndExactWaterMoveASparAlike) {
@@ -129,9 +129,9 @@ TEST(HullResponse, FramesAndExactWaterMoveASparAlike) {
     const Spar spar;
     const Hull hull = spar.hull();
     for (const double wavelength_m : {300.0, 60.0, 40.0}) {
-        const double expected = response(hull, wavelength_m, 40).heave;
-        EXPECT_NEAR(response_in_frames(hull, wavelength_m, 40).heave, expected, 0.02 * expected + 0.005) << wavelength_m;
-        EXPECT_NEAR(response_in_exact_water(hull, wavelength_m, 40).heave, expected, 0.02 * expected + 0.005)
+        const double expected = head_seas(hull, wavelength_m, 40).heave;
+        EXPECT_NEAR(head_seas_in_frames(hull, wavelength_m, 40).heave, expected, 0.02 * expected + 0.005) << wavelength_m;
+        EXPECT_NEAR(head_seas_in_exact_water(hull, wavelength_m, 40).heave, expected, 0.02 * expected + 0.005)
             << wavelength_m;
     }
 }
@@ -161,7 +161,7 @@ TEST(HullResponse, ABargeMovesAsJensensClosedForms) {
     for (const double ratio : {0.75, 1.0, 1.25, 1.5, 2.0, 4.0, 10.0}) {
         SCOPED_TRACE(ratio);
         const ClosedForm expected(length_m, beam_m, draught_m, ratio * length_m);
-        const Response of_coarse = response(coarse, ratio * length_m, 20), of_fine = response(fine, ratio * length_m, 20);
+        const HeadSeas of_coarse = head_seas(coarse, ratio * length_m, 20), of_fine = head_seas(fine, ratio * length_m, 20);
         EXPECT_NEAR(of_fine.heave, expected.heave, std::max(0.1 * expected.heave, 0.03));
         EXPECT_NEAR(of_fine.pitch, expected.pitch, 0.25 * expected.pitch);
         EXPECT_NEAR(of_coarse.heave, of_fine.heave, std::max(0.03 * of_fine.heave, 0.02));

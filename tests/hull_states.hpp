@@ -15,7 +15,8 @@ inline const SeaState rough_sea{
 
 inline bool equal(const HullState& a, const HullState& b) {
     return a.position_m == b.position_m && a.orientation == b.orientation && a.velocity_mps == b.velocity_mps &&
-           a.angular_velocity_radps == b.angular_velocity_radps &&
+           a.angular_velocity_radps == b.angular_velocity_radps && a.wake_velocity_y_mps == b.wake_velocity_y_mps &&
+           a.wake_rotation_radps == b.wake_rotation_radps &&
            a.submersion == b.submersion &&
            a.has_previous_step == b.has_previous_step;
 }

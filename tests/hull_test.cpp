@@ -205,7 +205,7 @@ TEST(Hull, RisesFromTheDepthAsFastAsDragAllows) {
     EXPECT_NEAR(state.velocity_mps.y, std::sqrt(2 * 0.05 * 8 * gravity_mps2 / (1.05 * 4 + 4e-3 * 16)), 0.005);
     // It is never faster, and comes to rest afloat.
     double fastest_mps = 0;
-    for (double t = 0; t < 60; t += hull_step_s) {
+    for (double t = 0; t < 180; t += hull_step_s) {  // its waves damp a cube slowly
         hull.step(water.query(), state, hull_step_s, {}, workspace);
         fastest_mps = std::max(fastest_mps, state.velocity_mps.y);
     }
@@ -284,7 +284,8 @@ TEST(Hull, ResponseToLongWavesIsThatOfStripTheory) {
     if (is_sanitized) GTEST_SKIP() << "takes minutes; other tests run the same code";
     const glm::dvec3 size(10, 2, 3);
     const double mass = water_kgpm3 * 30, draught = mass / (water_kgpm3 * size.x * size.z);
-    const Hull hull(box_mesh(size, 4), {.mass_kg = mass, .centre_of_mass_m = glm::dvec3(0, -0.2, 0)});
+    const Hull hull(box_mesh(size, 4),
+                    {.mass_kg = mass, .centre_of_mass_m = glm::dvec3(0, -0.2, 0), .heave_damping = 0.2});
     const double heave_a = hull.added_mass()[1][1], pitch_a = hull.added_mass()[5][5];
     const double stiffness = water_kgpm3 * gravity_mps2 * size.z;  // for a metre of length
     const double damping = 2 * 0.2 * std::sqrt(stiffness * size.x * (mass + heave_a)) / size.x;
@@ -300,8 +301,10 @@ TEST(Hull, ResponseToLongWavesIsThatOfStripTheory) {
         const double lever = 2 * (std::sin(half) - half * std::cos(half)) / (k * k * k);
         const double inertia = mass * (size.x * size.x + size.y * size.y) / 12 + mass * 0.2 * 0.2;
         const double third = size.x * size.x * size.x / 12;
+        // the force ahead acts at the middle of the volume, 0.3 m below the centre of mass
+        const double ahead = mass * gravity_mps2 * std::exp(-k * draught / 2) * (-draught / 2 + 0.2);
         const std::complex<double> pitch =
-            (pressure * lever - omega2 * pitch_a * lever / third + i_omega_b * lever) /
+            (pressure * lever + ahead - omega2 * pitch_a * lever / third + i_omega_b * lever) /
             (mass * gravity_mps2 * hull.afloat().pitch_gm_m - omega2 * (inertia + pitch_a) + i_omega_b * third);
         EXPECT_NEAR(measured.heave / std::abs(heave), 1, 0.03) << wavelength;
         EXPECT_NEAR(measured.pitch / std::abs(pitch), 1, 0.03) << wavelength;
@@ -465,11 +468,12 @@ TEST(Hull, TheWaterTurnsWithTheSlopeOfABeamSea) {
             water.set_wave(amplitude, k, time_s);
             HullState state = hull.at_rest(0, 0, heading_rad);
             const HullLoads loads = hull.loads(water.query(), state, hull_step_s, {}, workspace);
-            EXPECT_LT(glm::length(loads.water_rotation_radps - expected), 0.05 * amplitude * k * omega) << time_s;
+            // of vertices down to half a metre, where 0.91 of the wave is left
+            EXPECT_LT(glm::length(loads.water_rotation_radps - expected), 0.08 * amplitude * k * omega) << time_s;
             // about the hull's own length it is roll
             const glm::dvec3 ahead = glm::mat3_cast(state.orientation)[0];
             EXPECT_NEAR(std::fabs(glm::dot(loads.water_rotation_radps, ahead)), std::fabs(change),
-                        0.05 * amplitude * k * omega);
+                        0.08 * amplitude * k * omega);
         };
         // a rotation about z lifts points at +x, one about x lowers points at +z
         expect_rotation(towards_x, std::numbers::pi / 2, {0, 0, change});

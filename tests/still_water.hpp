@@ -22,7 +22,7 @@ class StillWater : public WaterKinematics {
                 if (!to.empty()) to[i] = static_cast<float>(value);
             };
             put(samples.depth_m, motion.depth_m);
-            put(samples.pressure_pa, motion.depth_m > 0 ? 1025 * gravity_mps2 * (motion.head_m - points.y[i]) : 0);
+            put(samples.pressure_pa, 1025 * gravity_mps2 * (motion.head_m - points.y[i]));
             put(samples.velocity_x_mps, motion.along_mps * along_x_);
             put(samples.velocity_y_mps, motion.up_mps);
             put(samples.velocity_z_mps, motion.along_mps * along_z_);

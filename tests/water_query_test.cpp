@@ -207,33 +207,33 @@ TEST(WaterQuery, ASeaThatReplacesAnotherIsThatOfANewOcean) {
     EXPECT_TRUE(bytes_of(motion) == bytes_of(expected));
 }
 
-// During a change the levels blend as the surface does: a point just below it has its height.
+// During a change the energies of the waves blend, at a depth as at the surface.
 TEST(WaterQuery, LevelsBlendDuringAChange) {
     SeaState calm = steep_sea(1), rough = calm;
-    calm.wind_speed_mps = 6;
+    calm.wind_speed_mps = 8;
     calm.choppiness = rough.choppiness = 0;
-    Forecast forecast{.first = calm, .changes = {{.sea = rough, .from_s = 10, .over_s = 20}}, .largest_peak_m = 200};
-    Ocean ocean(forecast, {.executor = make_serial_executor(), .queries = true, .depth = true});
-    Points points(900);
-    for (const double time_s : {5.0, 15.0, 22.0, 40.0}) {
-        const Frame& frame = ocean.frame_at(time_s);
-        const WaterQuery water(frame, {.surface = {.interpolation = Interpolation::cubic}});
-        // At a depth of three texels, where the pressure is a level's, against the surface's waves without
-        // those that have faded: both have the mean square of 0.6 to 0.95 of the surface's.
-        double surface = 0, below = 0;
-        std::vector<float> heights(points.x.size());
-        water.surface().sample({points.x, points.z}, {.height_m = heights});
-        const double texel_m = frame.cascades[0].texel_m();
-        for (std::size_t i = 0; i < heights.size(); ++i) points.y[i] = static_cast<double>(heights[i]) - 3 * texel_m;
-        Motion motion(points.x.size());
-        water.sample(points.all(), motion.samples());
-        for (std::size_t i = 0; i < heights.size(); ++i) {
-            const double head_m = static_cast<double>(motion.pressure[i]) / (1025 * gravity_mps2) + points.y[i];
-            surface += static_cast<double>(heights[i]) * static_cast<double>(heights[i]);
-            below += head_m * head_m;
-        }
-        EXPECT_GT(below, 0.2 * surface) << time_s;
-        EXPECT_LT(below, 0.95 * surface) << time_s;
+    const OceanOptions options{.executor = make_serial_executor(), .queries = true, .depth = true};
+    Ocean changing(Forecast{.first = calm, .changes = {{.sea = rough, .from_s = 10, .over_s = 20}}}, options);
+    Ocean before(calm, options), after(rough, options);
+    std::vector<double> x, y, z;
+    for (int i = 0; i < 4096; ++i) {
+        x.push_back(i % 64 * 300.0 / 64);
+        y.push_back(-6);
+        z.push_back(i / 64 * 300.0 / 64);
+    }
+    const auto mean_square = [&](Ocean& ocean, double time_s) {
+        Motion motion(x.size());
+        WaterQuery(ocean.frame_at(time_s)).sample({x, y, z}, motion.samples());
+        double sum = 0;
+        for (const float pressure : motion.pressure)
+            sum += std::pow(static_cast<double>(pressure) / (1025 * gravity_mps2) - 6, 2);
+        return sum / 4096;
+    };
+    for (const double weight : {0.0, 0.5, 1.0}) {  // of a smooth step
+        const double time_s = 10 + 20 * weight;
+        const double expected =
+            (1 - weight) * mean_square(before, time_s) + weight * mean_square(after, time_s);
+        EXPECT_NEAR(mean_square(changing, time_s) / expected, 1, 0.05) << weight;
     }
 }
 

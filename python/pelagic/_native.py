@@ -674,6 +674,8 @@ class pelagic_hull_state(ctypes.Structure):
         ("orientation", c_double * 4),
         ("velocity_mps", c_double * 3),
         ("angular_velocity_radps", c_double * 3),
+        ("wake_velocity_y_mps", c_double),
+        ("wake_rotation_radps", c_double * 3),
         ("submersion", c_double),
         ("has_previous_step", c_int32),
     ]

@@ -302,7 +302,7 @@ void ExactWater::sample(const WaterPoints& points, const WaterSamples& samples) 
             const std::array<double, Job::sums>& sums = chunk.sums[i];
             const bool is_water = chunk.depth[i] >= 0;
             write(samples.pressure_pa, at,
-                  is_water && chunk.height[i] > y ? waves_->density_kgpm3 * gravity_mps2 * (sums[Job::head] - y) : 0);
+                  is_water ? waves_->density_kgpm3 * gravity_mps2 * (sums[Job::head] - y) : 0);
             write(samples.velocity_x_mps, at, is_water ? sums[Job::along] + frame.current_x_mps : 0);
             write(samples.velocity_y_mps, at, sums[Job::up]);
             write(samples.velocity_z_mps, at, is_water ? sums[Job::across] + frame.current_z_mps : 0);

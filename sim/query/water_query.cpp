@@ -1,5 +1,6 @@
 #include "pelagic/sim/water_query.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -80,10 +81,10 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             for (std::size_t t = 0; t < cascades.size(); ++t)
                 level_m += weight(t) * static_cast<double>(cascades[t].level_m);
             Vector3 velocity{frame.water_frame.current_x_mps, 0, frame.water_frame.current_z_mps}, gradient{};
-            double other_m = 0;
+            double other_m = 0, dynamic_m = 0;
             if (frame.dynamic_waves) {
                 const DynamicWavesSample waves = pelagic::sample(frame.dynamic_waves, chunk.x[i], chunk.z[i]);
-                other_m += waves.height_m;
+                dynamic_m = waves.height_m;
                 velocity[1] += waves.vertical_velocity_mps;
                 gradient[0] += waves.slope_x;
                 gradient[2] += waves.slope_z;
@@ -101,7 +102,8 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
                     velocity[2] += z_mps;
                 }
             }
-            double height_m = static_cast<double>(chunk.height[i]) + other_m, waves_m = height_m - other_m - level_m;
+            double waves_m = static_cast<double>(chunk.height[i]) - level_m,
+                   height_m = static_cast<double>(chunk.height[i]) + other_m;
             for (std::size_t t = held; t < cascades.size(); ++t) {
                 const double left_out = weight(t) * static_cast<double>(surface_head(cascades[t],
                                                                                      query.reference_texels(t, chunk, i),
@@ -109,9 +111,10 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
                 height_m -= left_out;
                 waves_m -= left_out;
             }
-            const double y = points.y[at] - origin.y_m, depth_m = height_m - y;
-            const double stretched_m =
-                std::min(std::max(depth_m * (water_m / std::max(water_m + height_m, 0.01 * water_m)), 0.0), water_m);
+            // The cascades' waves do not feel the hollow that a hull presses into dynamic waves.
+            const double y = points.y[at] - origin.y_m, depth_m = height_m + dynamic_m - y;
+            const double stretched_m = std::clamp(
+                (height_m - y) * (water_m / std::max(water_m + height_m, 0.01 * water_m)), 0.0, water_m);
             double head_m = 0;
             for (std::size_t t = 0; t < held; ++t) {
                 const Cascade& cascade = cascades[t];
@@ -131,7 +134,7 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             put(samples.depth_m, at, depth_m);
             // The sum is the depth at the surface, without rounding errors of the waves' sums.
             put(samples.pressure_pa, at,
-                depth_m > 0 ? pascals_per_m * (depth_m + (head_m - waves_m)) : 0);
+                pascals_per_m * (depth_m + (head_m - waves_m)));
             put(samples.velocity_x_mps, at, velocity[0]);
             put(samples.velocity_y_mps, at, velocity[1]);
             put(samples.velocity_z_mps, at, velocity[2]);

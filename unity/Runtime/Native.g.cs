@@ -716,9 +716,15 @@ namespace Pelagic
         public double VelocityXMps, VelocityYMps, VelocityZMps;
         /// <summary>[-1e4, 1e4]</summary>
         public double AngularVelocityXRadps, AngularVelocityYRadps, AngularVelocityZRadps;
-        /// <summary>of the preceding step: fraction of the added mass; [0, 1]</summary>
+        /// <summary>
+        /// Of the preceding step: vertical velocity and rotation of the dynamic waves at the hull, and fraction of added
+        /// mass.
+        /// </summary>
+        public double WakeVelocityYMps;
+        public double WakeRotationXRadps, WakeRotationYRadps, WakeRotationZRadps;
+        /// <summary>[0, 1]</summary>
         public double Submersion;
-        /// <summary>0: no slamming</summary>
+        /// <summary>0: no acceleration of dynamic waves and no slamming</summary>
         public int HasPreviousStep;
     }
 
