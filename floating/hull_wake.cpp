@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +25,119 @@ int cells(double size_m, double texel_m) {
 constexpr double clock_slack = 0x1p-16;
 constexpr double fastest_mps = 1000;  // of footprints
 constexpr double longest_s = 1e6;     // between calls; more counts as this
+
+/// A footprint for many positions: depth_and_slope_at() with what does not depend on them computed
+/// once.
+class FootprintSampler {
+   public:
+    FootprintSampler() = default;
+    /// \param origin_x_m  added to positions, and origin_z_m
+    FootprintSampler(const PressureFootprint& of, double origin_x_m, double origin_z_m)
+        : depth_m_(of.depth_m.data()),
+          columns_(of.columns),
+          rows_(of.rows),
+          from_x_m_(origin_x_m - of.x_m),
+          from_z_m_(origin_z_m - of.z_m),
+          forward_x_(of.forward_x),
+          forward_z_(of.forward_z),
+          columns_per_m_(of.columns / of.length_m),
+          rows_per_m_(of.rows / of.beam_m),
+          middle_column_((of.columns - 1) / 2.0),
+          middle_row_((of.rows - 1) / 2.0) {}
+
+    double depth_at(double x_m, double z_m) const {
+        const Place at = place_of(x_m, z_m);
+        if (!at.is_inside) return 0;
+        const Corners corners(*this, at);
+        return (1 - at.bottom) * corners.upper(at) + at.bottom * corners.lower(at);
+    }
+    DepthAndSlope depth_and_slope_at(double x_m, double z_m) const {
+        const Place at = place_of(x_m, z_m);
+        if (!at.is_inside) return {};
+        const Corners corners(*this, at);
+        const double upper = corners.upper(at), lower = corners.lower(at);
+        const double ahead = columns_per_m_ * ((1 - at.bottom) * (corners.b - corners.a) +
+                                               at.bottom * (corners.d - corners.c));
+        const double abeam = rows_per_m_ * (lower - upper);
+        return {(1 - at.bottom) * upper + at.bottom * lower, forward_x_ * ahead - forward_z_ * abeam,
+                forward_z_ * ahead + forward_x_ * abeam};
+    }
+
+   private:
+    /// A cell, from -1, and the position towards the next one.
+    struct Place {
+        bool is_inside = false;
+        int column = 0, row = 0;
+        double right = 0, bottom = 0;
+    };
+    Place place_of(double x_m, double z_m) const {
+        const double x = x_m + from_x_m_, z = z_m + from_z_m_;
+        const double column = (x * forward_x_ + z * forward_z_) * columns_per_m_ + middle_column_;
+        const double row = (z * forward_x_ - x * forward_z_) * rows_per_m_ + middle_row_;
+        if (!(column > -1 && column < columns_ && row > -1 && row < rows_)) return {};
+        // Positive numbers are cut, which is faster than to floor.
+        const int i = static_cast<int>(column + 1) - 1, j = static_cast<int>(row + 1) - 1;
+        return {true, i, j, column - i, row - j};
+    }
+    struct Corners {
+        double a = 0, b = 0, c = 0, d = 0;
+
+        Corners(const FootprintSampler& of, const Place& at) {
+            if (static_cast<unsigned>(at.column) < static_cast<unsigned>(of.columns_ - 1) &&
+                static_cast<unsigned>(at.row) < static_cast<unsigned>(of.rows_ - 1)) {
+                const float* const cells = of.depth_m_ + at.row * of.columns_ + at.column;
+                a = cells[0], b = cells[1], c = cells[of.columns_], d = cells[of.columns_ + 1];
+                return;
+            }
+            const bool has_left = at.column >= 0, has_right = at.column + 1 < of.columns_;
+            const auto read = [&](int row, double& left, double& right) {
+                if (row < 0 || row >= of.rows_) return;
+                const float* const line = of.depth_m_ + row * of.columns_;
+                if (has_left) left = line[at.column];
+                if (has_right) right = line[at.column + 1];
+            };
+            read(at.row, a, b);
+            read(at.row + 1, c, d);
+        }
+        double upper(const Place& at) const { return (1 - at.right) * a + at.right * b; }
+        double lower(const Place& at) const { return (1 - at.right) * c + at.right * d; }
+    };
+
+    const float* depth_m_ = nullptr;
+    int columns_ = 0, rows_ = 0;
+    double from_x_m_ = 0, from_z_m_ = 0, forward_x_ = 1, forward_z_ = 0;
+    double columns_per_m_ = 1, rows_per_m_ = 1, middle_column_ = 0, middle_row_ = 0;
+};
+
+/// Members of DynamicWavesSample.
+struct HeightAndVelocity {
+    double height_m = 0, velocity_mps = 0;
+};
+
+/// As sample(), without slopes and foam, which take most of its time.
+HeightAndVelocity height_and_velocity_at(const DynamicWavesView& view, double x_m, double z_m) {
+    if (!view) return {};
+    const double u = x_m / view.texel_m - static_cast<double>(view.first_x);
+    const double v = z_m / view.texel_m - static_cast<double>(view.first_z);
+    const double end = view.resolution - 2;
+    if (!(u >= 1 && v >= 1 && u < end && v < end)) return {};
+    const double column = std::floor(u), row = std::floor(v);
+    const std::size_t last = static_cast<std::size_t>(view.resolution) - 1;
+    const auto first = [last](std::int64_t of_grid, double number) {
+        return static_cast<std::size_t>(of_grid + static_cast<std::int64_t>(number)) & last;
+    };
+    const std::size_t left = first(view.first_x, column), right = (left + 1) & last;
+    const std::size_t upper = first(view.first_z, row), lower = (upper + 1) & last;
+    const std::size_t above = upper * (last + 1), below = lower * (last + 1);
+    const double along = u - column, across = v - row;
+    const auto mixed = [&](std::span<const float> texels) {
+        const auto between = [](double a, double b, double fraction) { return a + fraction * (b - a); };
+        const auto texel = [&](std::size_t at) { return static_cast<double>(texels[at]); };
+        return between(between(texel(above + left), texel(above + right), along),
+                       between(texel(below + left), texel(below + right), along), across);
+    };
+    return {mixed(view.height_m), mixed(view.vertical_velocity_mps)};
+}
 
 }  // namespace
 
@@ -197,37 +312,40 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
 
 /// The hull's own hollow in the dynamic waves of a frame. Positions are in the water's frame.
 struct HullWake::Hollow {
-    const WaterFrame& water;
     const DynamicWavesOptions& options;
     const DynamicWavesView& view;
-    double texel_m, tick_s, now_s, fraction;
-    std::array<ActingFootprint, 4> last;  ///< of the next tick, of the last one, and before it
+    double texel_m, tick_s, fraction;
+    std::array<ActingFootprint, 4> last;   ///< of the next tick, of the last one, and before it
+    std::array<FootprintSampler, 4> depth;  ///< of the water's positions
+    /// Where the position of the last tick's footprint is that of the water's origin.
+    WaterFrame::Origin pressed_origin;
+    std::int64_t whole_from;  ///< texels from the grid's edge at which it shows the whole depth
 
     Hollow(const HullWake& wake, const Frame& frame)
-        : water(frame.water_frame),
-          options(wake.waves_->options()),
+        : options(wake.waves_->options()),
           view(frame.dynamic_waves),
           texel_m(wake.waves_->options().side_m / wake.waves_->options().resolution),
-          tick_s(1.0 / wake.waves_->options().ticks_per_s) {
+          tick_s(1.0 / wake.waves_->options().ticks_per_s),
+          whole_from(static_cast<std::int64_t>(0.5 * options.border_m / texel_m) + 3) {
         const FrameTick now = wake.tick_of(frame.time_s);
         fraction = now.fraction;
-        now_s = frame.time_s - now.fraction * tick_s;
-        for (std::size_t i = 0; i < last.size(); ++i)
+        const double now_s = frame.time_s - now.fraction * tick_s;
+        for (std::size_t i = 0; i < last.size(); ++i) {
             last[i] = wake.acting_at(now.tick + 1 - static_cast<std::int64_t>(i), now.tick);
-    }
-
-    /// Returns where the footprint's own position is that of a water's origin.
-    WaterFrame::Origin origin_of(std::size_t which) const {
-        WaterFrame::Origin origin = water.origin_at(now_s + (1 - static_cast<double>(which)) * tick_s);
-        origin.x_m -= last[which].moved_s * last[which].footprint->velocity_x_mps;
-        origin.z_m -= last[which].moved_s * last[which].footprint->velocity_z_mps;
-        return origin;
+            WaterFrame::Origin origin =
+                frame.water_frame.origin_at(now_s + (1 - static_cast<double>(i)) * tick_s);
+            origin.x_m -= last[i].moved_s * last[i].footprint->velocity_x_mps;
+            origin.z_m -= last[i].moved_s * last[i].footprint->velocity_z_mps;
+            depth[i] = FootprintSampler(*last[i].footprint, origin.x_m, origin.z_m);
+            if (i == 1) pressed_origin = origin;
+        }
     }
 
     /// Returns the part of a texel's depth that the frame shows; 0 outside the grid.
     double shown(std::int64_t x, std::int64_t z) const {
         const auto part = [&](std::int64_t texel, std::int64_t first) {
-            return shown_part(options, std::min(texel - first, first + view.resolution - 1 - texel));
+            const std::int64_t from_edge = std::min(texel - first, first + view.resolution - 1 - texel);
+            return from_edge >= whole_from ? 1 : shown_part(options, from_edge);
         };
         return part(x, view.first_x) * part(z, view.first_z);
     }
@@ -235,35 +353,62 @@ struct HullWake::Hollow {
     struct Depth {
         double depth_m = 0, sinking_mps = 0;
     };
-    /// As DynamicWavesView interpolates ticks. A pressure that moves once a tick is that of an even
-    /// motion at the middle of the tick, so the hollow at its end is the mean of this tick's and the
-    /// next one's.
-    template <class DepthOf>
-    Depth between_ticks(DepthOf&& depth_of) const {
-        const double depth[] = {depth_of(0), depth_of(1), depth_of(2), depth_of(3)};
-        const double hollow[] = {(depth[0] + depth[1]) / 2, (depth[1] + depth[2]) / 2, (depth[2] + depth[3]) / 2};
+    /// The hollow at a texel, as DynamicWavesView interpolates ticks. A pressure that moves once a
+    /// tick is that of an even motion at the middle of the tick, so the hollow at its end is the mean
+    /// of this tick's and the next one's.
+    Depth at_texel(std::int64_t column, std::int64_t row) const {
+        const double x = static_cast<double>(column) * texel_m, z = static_cast<double>(row) * texel_m;
+        double at[4];
+        for (std::size_t i = 0; i < depth.size(); ++i) at[i] = depth[i].depth_at(x, z);
+        if (at[0] == 0 && at[1] == 0 && at[2] == 0 && at[3] == 0) return {};
+        const double hollow[] = {(at[0] + at[1]) / 2, (at[1] + at[2]) / 2, (at[2] + at[3]) / 2};
         const double change = hollow[0] - hollow[1], change_before = hollow[1] - hollow[2];
-        return {hollow[1] + fraction * change, (change + (fraction - 0.5) * (change - change_before)) / tick_s};
+        const double part = shown(column, row);
+        return {part * (hollow[1] + fraction * change),
+                part * ((change + (fraction - 0.5) * (change - change_before)) / tick_s)};
     }
+};
+
+/// Samples of a hollow. Vertices of a hull have texels in common, so each texel's hollow is kept in a
+/// table by the last bits of its column and row, until another texel takes its place. The order of
+/// samples does not change them.
+class HullWake::HollowSampler {
+   public:
+    explicit HollowSampler(const Hollow& hollow) : hollow_(hollow) { column_.fill(none); }
 
     /// Bilinear between texels, as the grid.
-    Depth at(double x_m, double z_m) const {
-        const double column = std::floor(x_m / texel_m), row = std::floor(z_m / texel_m);
+    Hollow::Depth at(double x_m, double z_m) {
+        const double u = x_m / hollow_.texel_m, v = z_m / hollow_.texel_m;
+        const double column = std::floor(u), row = std::floor(v);
         if (!(std::fabs(column) < 0x1p40 && std::fabs(row) < 0x1p40)) return {};
-        const double right = x_m / texel_m - column, bottom = z_m / texel_m - row;
+        const double right = u - column, bottom = v - row;
         const auto i = static_cast<std::int64_t>(column), j = static_cast<std::int64_t>(row);
-        const double weights[] = {(1 - right) * (1 - bottom) * shown(i, j), right * (1 - bottom) * shown(i + 1, j),
-                                  (1 - right) * bottom * shown(i, j + 1), right * bottom * shown(i + 1, j + 1)};
-        return between_ticks([&](std::size_t which) {
-            const WaterFrame::Origin origin = origin_of(which);
-            double depth_m = 0;
-            for (int corner = 0; corner < 4; ++corner)
-                depth_m += weights[corner] * depth_at(*last[which].footprint,
-                                                      (column + corner % 2) * texel_m + origin.x_m,
-                                                      (row + corner / 2) * texel_m + origin.z_m);
-            return depth_m;
-        });
+        const Hollow::Depth upper = between(texel(i, j), texel(i + 1, j), right);
+        const Hollow::Depth lower = between(texel(i, j + 1), texel(i + 1, j + 1), right);
+        return between(upper, lower, bottom);
     }
+
+   private:
+    static constexpr std::int64_t columns = 32, rows = 16;
+    static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+
+    static Hollow::Depth between(const Hollow::Depth& a, const Hollow::Depth& b, double fraction) {
+        return {a.depth_m + fraction * (b.depth_m - a.depth_m),
+                a.sinking_mps + fraction * (b.sinking_mps - a.sinking_mps)};
+    }
+    Hollow::Depth texel(std::int64_t column, std::int64_t row) {
+        const auto place = static_cast<std::size_t>((row & (rows - 1)) * columns + (column & (columns - 1)));
+        if (column_[place] != column || row_[place] != row) {
+            column_[place] = column;
+            row_[place] = row;
+            depth_[place] = hollow_.at_texel(column, row);
+        }
+        return depth_[place];
+    }
+
+    const Hollow& hollow_;
+    std::array<std::int64_t, columns * rows> column_, row_;
+    std::array<Hollow::Depth, columns * rows> depth_;
 };
 
 void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
@@ -275,19 +420,20 @@ void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::spa
         throw std::invalid_argument("x, z, height_m, velocity_y_mps, wake_m and wake_up_mps differ in length");
     const DefaultFloatEnvironment environment;
     const Hollow hollow(*this, frame);
+    HollowSampler own_hollow(hollow);
     const WaterFrame::Origin origin = frame.water_frame.origin_at(frame.time_s);
     const glm::dvec3 moved = pressure_m_ - hull_m_;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double at_x = x[i] - origin.x_m, at_z = z[i] - origin.z_m;
         const double in_x = at_x + moved.x, in_z = at_z + moved.z;
-        const DynamicWavesSample here = sample(frame.dynamic_waves, at_x, at_z),
-                                 there = sample(frame.dynamic_waves, in_x, in_z);
-        const Hollow::Depth own = hollow.at(in_x, in_z);
+        const HeightAndVelocity here = height_and_velocity_at(frame.dynamic_waves, at_x, at_z),
+                                there = height_and_velocity_at(frame.dynamic_waves, in_x, in_z);
+        const Hollow::Depth own = own_hollow.at(in_x, in_z);
         if (!wake_m.empty()) wake_m[i] = there.height_m + own.depth_m;
         if (!wake_up_mps.empty()) wake_up_mps[i] = there.vertical_velocity_mps + own.sinking_mps;
         height_m[i] = static_cast<float>(height_m[i] + there.height_m - here.height_m + own.depth_m);
-        velocity_y_mps[i] = static_cast<float>(velocity_y_mps[i] + there.vertical_velocity_mps -
-                                               here.vertical_velocity_mps + own.sinking_mps);
+        velocity_y_mps[i] =
+            static_cast<float>(velocity_y_mps[i] + there.velocity_mps - here.velocity_mps + own.sinking_mps);
     }
 }
 
@@ -297,9 +443,8 @@ HullForce HullWake::push(const Frame& frame, const HullState& state) const {
     if (!view) return {};
     const Hollow hollow(*this, frame);
     const double texel_m = hollow.texel_m;
-    const PressureFootprint &next = *hollow.last[0].footprint, &pressed = *hollow.last[1].footprint,
-                            &before = *hollow.last[2].footprint;
-    const WaterFrame::Origin next_at = hollow.origin_of(0), at = hollow.origin_of(1), before_at = hollow.origin_of(2);
+    const PressureFootprint& pressed = *hollow.last[1].footprint;
+    const WaterFrame::Origin at = hollow.pressed_origin;
     // the rectangle, and half a cell around it
     const double ahead = (pressed.length_m + pressed.length_m / pressed.columns) / 2,
                  abeam = (pressed.beam_m + pressed.beam_m / pressed.rows) / 2;
@@ -323,13 +468,11 @@ HullForce HullWake::push(const Frame& frame, const HullState& state) const {
     for (std::int64_t row = first_z; row < end_z; ++row)
         for (std::int64_t column = first_x; column < end_x; ++column) {
             const double x = static_cast<double>(column) * texel_m, z = static_cast<double>(row) * texel_m;
-            const DepthAndSlope here = depth_and_slope_at(pressed, x + at.x_m, z + at.z_m);
+            const DepthAndSlope here = hollow.depth[1].depth_and_slope_at(x, z);
             if (here.slope_x == 0 && here.slope_z == 0) continue;
-            // the depth of Hollow::between_ticks()
-            double depth_m = 0.5 * here.depth_m +
-                             (1 - hollow.fraction) / 2 * depth_at(before, x + before_at.x_m, z + before_at.z_m);
-            if (hollow.fraction > 0)
-                depth_m += hollow.fraction / 2 * depth_at(next, x + next_at.x_m, z + next_at.z_m);
+            // the depth of Hollow::at_texel()
+            double depth_m = 0.5 * here.depth_m + (1 - hollow.fraction) / 2 * hollow.depth[2].depth_at(x, z);
+            if (hollow.fraction > 0) depth_m += hollow.fraction / 2 * hollow.depth[0].depth_at(x, z);
             const std::size_t texel = (static_cast<std::size_t>(row) & last) * (last + 1) +
                                       (static_cast<std::size_t>(column) & last);
             const double height_m =

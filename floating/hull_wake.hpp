@@ -105,6 +105,7 @@ class HullWake {
     void keep_acted(std::int64_t tick);
     void shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double tick_s);
     struct Hollow;
+    class HollowSampler;
 
     DynamicWaves* waves_;
     const Hull* hull_;
