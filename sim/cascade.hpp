@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -78,17 +79,21 @@ struct ContractionBound {
     /// The byte that stands for 1. The largest byte, 255, stands for 255 / one or more.
     static constexpr int one = 160;
 
-    /// Bounds for blocks of 2 x 2 cells, (N/2)^2 of them; then of 4 x 4, and so on to one byte for
-    /// all.
+    /// Bounds for blocks of one column by 4 rows of cells, in rows of N; then of 2 by 4 cells, 4 by
+    /// 4, 8 by 8, and so on to one byte for all.
     std::span<const std::uint8_t> blocks;
-    /// (N/2)^2: the largest bound around a block, as far as other reference points of one drawn
+    /// N^2 / 4: the largest bound around a block, as far as other reference points of one drawn
     /// position can be.
     std::span<const std::uint8_t> around;
+    /// Largest sum of the bytes `around` a point, of this and all coarser cascades, with which
+    /// those of finer cascades hold. Of the finest: with which the point is the only one.
+    int max_sum = 0;
     float largest_m = 0;  ///< largest horizontal displacement
     /// Lipschitz constants: displacements and heights of two reference points differ by at most
-    /// these times their distance.
+    /// these times their distance. That of the heights is below 0 until a ray computes it
+    /// (query/height_change.hpp); null in copies of a frame.
     float stretch = 0;
-    float steepness = 0;
+    std::atomic<float>* steepness = nullptr;
 
     /// Returns the largest bound of all blocks.
     double max() const { return static_cast<double>(blocks.back()) / one; }

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/query/height_change.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
@@ -206,6 +207,96 @@ TEST(CascadeStackQuery, MatchesTheOracleOnEveryPreset) {
     EXPECT_GT(seed, 5u);
 }
 
+/// Slopes of a cascade at one corner of a cell, along the cascade's axes, in double.
+struct CornerSlopes {
+    double xx, xz, zx, zz;  ///< the change of the displacement's first axis along the second
+    double steepness;       ///< of the heights
+
+    CornerSlopes(const Cascade& cascade, int i, int j, int right, int below) {
+        const auto change = [&](const PlaneView& plane, int from_i, int from_j, int to_i, int to_j) {
+            const int n = cascade.resolution();
+            const auto at = [&](int x, int z) { return static_cast<double>(plane.at(x & (n - 1), z & (n - 1))); };
+            return (at(to_i, to_j) - at(from_i, from_j)) / cascade.texel_m();
+        };
+        const auto along_x = [&](const PlaneView& plane) { return change(plane, i, j + below, i + 1, j + below); };
+        const auto along_z = [&](const PlaneView& plane) { return change(plane, i + right, j, i + right, j + 1); };
+        const auto x = cascade.grid.in_cascade(along_x(cascade.dx), along_x(cascade.dz));
+        const auto z = cascade.grid.in_cascade(along_z(cascade.dx), along_z(cascade.dz));
+        xx = x.along, zx = x.across, xz = z.along, zz = z.across;
+        steepness = std::hypot(along_x(cascade.height), along_z(cascade.height));
+    }
+    /// Minus the smallest eigenvalue of the symmetric part.
+    double contraction() const { return (std::hypot(xx - zz, xz + zx) - (xx + zz)) / 2; }
+    double norm() const { return (std::hypot(xx + zz, zx - xz) + std::hypot(xx - zz, xz + zx)) / 2; }
+};
+
+TEST(CascadeStackQuery, TheContractionMapBoundsTheSlopesOfEveryCell) {
+    for (const Isa isa : isas_here()) {
+        for (const double factor : {1.0, 3.0, 20.0}) {
+            std::vector<CascadeStack::Part> parts = CascadeStack::of_scales(3, 12, 1, 4, is_sanitized ? 16 : 64);
+            for (CascadeStack::Part& part : parts) part.factor *= factor;
+            const CascadeStack stack(parts, 5, isa);
+            for (const Cascade& cascade : stack.frame().cascades) {
+                const int n = cascade.resolution();
+                const ContractionBound& bound = cascade.contraction;
+                const float steepness = kernels_for(isa).steepness(
+                    {.surface = texels_of(cascade), .texels_per_m = static_cast<float>(1 / cascade.texel_m())});
+                double excess = 0;
+                for (int cell = 0; cell < n * n; ++cell) {
+                    const int i = cell % n, j = cell / n;
+                    const std::uint8_t byte = bound.blocks[static_cast<std::size_t>(j / 4 * n + i)];
+                    double largest = 0;
+                    for (int corner = 0; corner < 4; ++corner) {
+                        const CornerSlopes slopes(cascade, i, j, corner % 2, corner / 2);
+                        largest = std::max(largest, slopes.contraction());
+                        ASSERT_LE(slopes.norm(), static_cast<double>(bound.stretch)) << i << ", " << j;
+                        ASSERT_LE(slopes.steepness, static_cast<double>(steepness) * (1 + 1e-6));
+                    }
+                    ASSERT_TRUE(byte == 255 || largest * ContractionBound::one <= byte) << i << ", " << j;
+                    ASSERT_GE(bound.around[static_cast<std::size_t>(j / 4 * n + i)], byte);
+                    ASSERT_LE(std::hypot(cascade.dx.at(i, j), cascade.dz.at(i, j)), bound.largest_m);
+                    // Each level bounds the cells of its blocks.
+                    std::size_t first = 0;
+                    for (int shift_x = 0, shift_z = 2; n >> shift_x > 0;) {
+                        const int columns = n >> shift_x, rows = n >> shift_z;
+                        ASSERT_GE(bound.blocks[first + static_cast<std::size_t>((j >> shift_z) * columns +
+                                                                                (i >> shift_x))],
+                                  byte);
+                        first += static_cast<std::size_t>(columns * rows);
+                        if (++shift_x > shift_z) ++shift_z;
+                    }
+                    ASSERT_EQ(first, bound.blocks.size());
+                    excess += byte - largest * ContractionBound::one;
+                }
+                // The map would be useless if it were far above the slopes.
+                if (factor == 1) {
+                    EXPECT_LT(excess / (n * n), 0.1 * ContractionBound::one);
+                }
+            }
+        }
+    }
+}
+
+TEST(CascadeStackQuery, MapsAreTheSameOnEachIsa) {
+    for (const double factor : {1.0, 20.0}) {
+        std::vector<CascadeStack::Part> parts = CascadeStack::of_scales(3, 12, 1, 4, 32);
+        for (CascadeStack::Part& part : parts) part.factor *= factor;
+        const CascadeStack expected(parts, 5, Isa(isas_here().front()));
+        for (const Isa isa : isas_here()) {
+            const CascadeStack stack(parts, 5, isa);
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                const ContractionBound &a = expected.frame().cascades[i].contraction,
+                                       &b = stack.frame().cascades[i].contraction;
+                EXPECT_TRUE(std::ranges::equal(a.blocks, b.blocks));
+                EXPECT_TRUE(std::ranges::equal(a.around, b.around));
+                EXPECT_EQ(a.max_sum, b.max_sum);
+                EXPECT_EQ(a.largest_m, b.largest_m);
+                EXPECT_EQ(a.stretch, b.stretch);
+            }
+        }
+    }
+}
+
 TEST(CascadeStackQuery, ThereIsOneSheetWhereTheContractionMapProvesIt) {
     std::size_t proven = 0, folded = 0;
     for (const double factor : {8.0, 24.0, 40.0}) {
@@ -223,14 +314,12 @@ TEST(CascadeStackQuery, ThereIsOneSheetWhereTheContractionMapProvesIt) {
                 bool is_within = true;
                 for (const Cascade& cascade : stack.frame().cascades) {
                     const auto [along, across] = cascade.grid.in_cascade(intersection.x_m, intersection.z_m);
-                    const int half = cascade.resolution() / 2;
-                    const auto block = [&](double place_m) {
-                        return static_cast<int>(std::floor(place_m / cascade.texel_m() / 2)) & (half - 1);
+                    const int n = cascade.resolution();
+                    const auto cell = [&](double place_m) {
+                        return static_cast<int>(std::floor(place_m / cascade.texel_m())) & (n - 1);
                     };
-                    sum += cascade.contraction.around[static_cast<std::size_t>(block(across) * half + block(along))];
-                    const bool is_last = &cascade == &stack.frame().cascades.back();
-                    is_within &= sum <= ContractionBound::one * (1 - (is_last ? ContractionMap::min_slack_of_all
-                                                                              : ContractionMap::min_slack));
+                    sum += cascade.contraction.around[static_cast<std::size_t>(cell(across) / 4 * n + cell(along))];
+                    is_within &= sum <= cascade.contraction.max_sum;
                 }
                 proven += is_within;
                 ASSERT_TRUE(!is_within || intersections.size() == 1) << points.x[i] << ", " << points.z[i];
@@ -312,7 +401,7 @@ TEST(CascadeStackRay, HeightDifferencesAreWithinTheBound) {
     for (const double factor : {1.0, 6.0}) {
         const CascadeStack stack(exaggerated(CascadeStack::of_scales(3, 12, 1, 3, 32), factor), 6);
         const SurfaceQuery query(stack.frame());
-        const HeightChange change(stack.frame().cascades);
+        const HeightChange change(stack.frame().cascades, kernels_for(stack.frame().isa));
         std::mt19937 random(5);
         std::uniform_real_distribution<double> horizontal(-1, 1);
         double closest = 0;

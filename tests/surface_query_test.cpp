@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -142,6 +143,49 @@ class Exaggerated {
     FoldMap folds_;
     OneCascadeFrame water_;
 };
+
+// The kernel computes Jacobians only where a coarser bound does not exclude overturned cells.
+TEST(FoldMap, MarksEveryOverturnedCellOnEachIsa) {
+    Ocean ocean({.resolution = 64, .patch_size_m = 250, .choppiness = 1}, {.executor = make_serial_executor()});
+    const Frame& frame = ocean.frame_at(3);
+    for (const float factor : {1.f, 6.f, 30.f}) {
+        std::vector<std::uint8_t> expected;
+        std::size_t overturned = 0;
+        for (const Isa isa : isas_here()) {
+            const Exaggerated sea(frame, factor, kernels_for(isa));
+            const Cascade& cascade = sea.frame().cascades[0];
+            const int n = cascade.resolution();
+            const auto place = [&](const PlaneView& plane, int i, int j) {
+                return static_cast<double>(plane.at(i & (n - 1), j & (n - 1))) / cascade.texel_m();
+            };
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i)
+                    for (int corner = 0; corner < 4; ++corner) {
+                        const int x = i + corner % 2, z = j + corner / 2;
+                        const auto along_x = [&](const PlaneView& plane) {
+                            return place(plane, i + 1, z) - place(plane, i, z);
+                        };
+                        const auto along_z = [&](const PlaneView& plane) {
+                            return place(plane, x, j + 1) - place(plane, x, j);
+                        };
+                        const double jacobian = (1 + along_x(cascade.dx)) * (1 + along_z(cascade.dz)) -
+                                                along_x(cascade.dz) * along_z(cascade.dx);
+                        if (jacobian > FoldMap::max_jacobian - 1e-4) continue;
+                        ++overturned;
+                        const int square_x = static_cast<int>(std::floor(x + place(cascade.dx, x, z))) & (n - 1);
+                        const int square_z = static_cast<int>(std::floor(z + place(cascade.dz, x, z))) & (n - 1);
+                        const int square = square_z * n + square_x;
+                        ASSERT_TRUE(cascade.folds[static_cast<std::size_t>(square) / 8] >> square % 8 & 1)
+                            << i << ", " << j << " at " << factor;
+                    }
+            if (expected.empty()) expected.assign(cascade.folds.begin(), cascade.folds.end());
+            EXPECT_TRUE(std::ranges::equal(expected, cascade.folds));
+        }
+        if (factor > 1) {
+            EXPECT_GT(overturned, 0u);
+        }
+    }
+}
 
 // Linear seas with physical heights do not fold even at choppiness 1. Seas of the paper's scale do.
 TEST(SurfaceQuery, ReturnsTheHighestOfSeveralIntersections) {

@@ -14,17 +14,26 @@ namespace {
 /// Upper bound of the relative rounding error of float sums.
 constexpr double rounding = 1 + 1e-5;
 
-std::size_t blocks_of(int resolution) { return static_cast<std::size_t>(resolution) * resolution / 4; }
+constexpr std::size_t block_rows = FindContractionJob::block_rows;
+
+std::size_t blocks_of(int resolution) { return static_cast<std::size_t>(resolution) * resolution / block_rows; }
+
+/// Returns the number of bytes of ContractionBound::blocks.
+std::size_t bytes_of_levels(int resolution) {
+    const std::size_t squares = static_cast<std::size_t>(resolution) / block_rows;
+    return blocks_of(resolution) * 3 / 2 + (4 * squares * squares - 1) / 3;
+}
 
 }  // namespace
 
 ContractionMap::ContractionMap(int resolution, const Allocator& memory)
     : resolution_(resolution),
-      blocks_((4 * blocks_of(resolution) - 1) / 3, memory),
+      blocks_(bytes_of_levels(resolution), memory),
       around_(blocks_of(resolution), memory),
-      scratch_(2 * blocks_of(resolution), memory),
-      extremes_(static_cast<std::size_t>(resolution) / rows_per_job) {
-    static_assert(rows_per_job % 2 == 0);
+      scratch_(2 * blocks_of(resolution) + SpreadContractionJob::margin, memory),
+      extremes_(static_cast<std::size_t>(resolution) / rows_per_job),
+      steepness_(std::make_unique<std::atomic<float>>(-1.f)) {
+    static_assert(rows_per_job % block_rows == 0);
 }
 
 void ContractionMap::find(const Cascade& cascade, const Kernels& kernels, std::size_t job) {
@@ -47,44 +56,63 @@ double ContractionMap::largest_m() const {
     return std::sqrt(static_cast<double>(squared)) * rounding;
 }
 
+int ContractionMap::largest_byte() const {
+    int largest = 0;
+    for (const ContractionExtremes& piece : extremes_) largest = std::max(largest, int{piece.byte});
+    return largest;
+}
+
 void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number,
                             double finest_texel_m, const Kernels& kernels) {
+    constexpr int one = ContractionBound::one;
+    constexpr int max_but_last = static_cast<int>(one * (1 - min_slack));
+    constexpr int max_of_all = static_cast<int>(one * (1 - min_slack_of_all));
+    static_assert(max_but_last < 255 && max_of_all < 255, "the largest byte must fail");
     // r_i of contraction_map.hpp, including the position error of a search.
     double reach_m = 0, reference_m = margin * finest_texel_m;
+    int coarser = 0;
+    for (std::size_t i = 0; i < number; ++i) coarser += maps[i]->largest_byte();
+    const double slack = 1 - static_cast<double>(std::min(coarser, max_but_last)) / one;
     for (std::size_t i = maps.size(); i-- > 0;) {
         reference_m += 2 * maps[i]->largest_m();
-        if (i == number) reach_m = reference_m / (i == 0 ? 1 : min_slack);
+        if (i == number) reach_m = reference_m / slack;
     }
     reach_m = std::min(reach_m, reference_m);
 
-    std::size_t side = static_cast<std::size_t>(resolution_) / 2;
-    const std::uint8_t* from = blocks_.data();
-    for (std::size_t finer = side; finer > 1; finer /= 2) {
-        kernels.halve_contraction(
-            {.from = from, .side = finer / 2, .to = const_cast<std::uint8_t*>(from) + finer * finer});
-        from += finer * finer;
+    const std::size_t n = static_cast<std::size_t>(resolution_);
+    std::uint8_t* from = blocks_.data();
+    for (std::size_t columns = n, rows = n / block_rows; columns > 1;) {
+        std::uint8_t* const to = from + columns * rows;
+        const std::size_t rows_each = columns > rows ? 1 : 2;
+        columns /= 2;
+        rows /= rows_each;
+        kernels.halve_contraction({.from = from, .columns = columns, .rows = rows, .rows_each = rows_each, .to = to});
+        from = to;
     }
-    const double reach = std::ceil(reach_m / (2 * cascade.texel_m()));
-    if (reach < static_cast<double>(side) / 2)
+    const double reach_x = std::ceil(reach_m / cascade.texel_m());
+    const double reach_z = std::ceil(reach_m / (block_rows * cascade.texel_m()));
+    if (2 * reach_x < static_cast<double>(n) && 2 * block_rows * reach_z < static_cast<double>(n))
         kernels.spread_contraction({.from = blocks_.data(),
-                                    .side = side,
-                                    .reach = static_cast<std::size_t>(reach),
+                                    .columns = n,
+                                    .rows = n / block_rows,
+                                    .reach_x = static_cast<std::size_t>(reach_x),
+                                    .reach_z = static_cast<std::size_t>(reach_z),
                                     .scratch = scratch_.data(),
                                     .to = around_.data()});
     else
         std::fill_n(around_.data(), around_.size(), *from);
 
-    float stretch = 0, steepness_squared = 0;
-    for (const ContractionExtremes& piece : extremes_) {
-        stretch = std::max(stretch, piece.stretch);
-        steepness_squared = std::max(steepness_squared, piece.steepness_squared);
-    }
+    float stretch_squared = 0;
+    for (const ContractionExtremes& piece : extremes_)
+        stretch_squared = std::max(stretch_squared, piece.stretch_squared);
+    steepness_->store(-1, std::memory_order_relaxed);
     cascade.contraction = {
         .blocks = {blocks_.data(), blocks_.size()},
         .around = {around_.data(), around_.size()},
+        .max_sum = number + 1 == maps.size() ? max_of_all : std::min(coarser + largest_byte(), max_but_last),
         .largest_m = static_cast<float>(largest_m()),
-        .stretch = static_cast<float>(static_cast<double>(stretch) * rounding),
-        .steepness = static_cast<float>(std::sqrt(static_cast<double>(steepness_squared)) * rounding)};
+        .stretch = static_cast<float>(std::sqrt(static_cast<double>(stretch_squared)) * rounding),
+        .steepness = steepness_.get()};
 }
 
 void ContractionMap::update(std::span<Cascade> cascades, std::span<ContractionMap* const> maps,

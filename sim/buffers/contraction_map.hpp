@@ -16,14 +16,17 @@
 //     |q' - q| <= r_i = 2 (e_i + e_(i+1) + ...) / m_i
 //
 // Cascade i therefore only has to be searched within r_i, which is a few of its own texels. If the
-// slack m_i remains after each cascade, the last step proves that q is unique. The map stores the
-// largest s_i within r_i of each block of 2 x 2 cells, for fixed m_i, in one byte. At a point, a
-// query adds one byte of each cascade. If the sum proves nothing, query/stack_search.hpp searches
-// in more detail.
+// slack m_i remains after each cascade, the last step proves that q is unique. The map stores an
+// upper bound of s_i for each block of one column by 4 rows of cells (kernels/cell_strip.kernel.hpp),
+// and the largest one within r_i of each block. m_i is what the largest bounds of the cascades before
+// leave, or min_slack. At a point, a query adds one byte of each cascade. If the sum proves nothing,
+// query/stack_search.hpp tries the r_i of the point's own m_i, then searches.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -38,8 +41,8 @@ class ContractionMap {
    public:
     /// Rows of cells per job.
     static constexpr std::size_t rows_per_job = 16;
-    /// Smallest slack after any cascade except the last, and after all cascades. At a small slack,
-    /// a small error of the search becomes a large error of the reference position.
+    /// Smallest slack m_i after any cascade except the last, and after all cascades. At a small
+    /// slack, a small error of the search becomes a large error of the reference position.
     static constexpr double min_slack = 0.3, min_slack_of_all = 0.05;
     /// Upper bound of the position error of a query's search, as a fraction of the finest cascade's
     /// texel.
@@ -67,10 +70,12 @@ class ContractionMap {
 
    private:
     double largest_m() const;
+    int largest_byte() const;
 
     int resolution_;
     AlignedBuffer<std::uint8_t> blocks_, around_, scratch_;
     std::vector<ContractionExtremes> extremes_;  ///< one per job
+    std::unique_ptr<std::atomic<float>> steepness_;
 };
 
 }  // namespace pelagic

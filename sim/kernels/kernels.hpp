@@ -316,7 +316,7 @@ struct FindFoldsJob {
     SurfaceTexels surface;
     float texel_m;  ///< L / N
     float max_area;
-    std::size_t first_row, rows;
+    std::size_t first_row, rows;  ///< multiples of 4
     /// N^2 bits: cell (i, j) is bit i % 8 of byte (j N + i) / 8. Only the job's rows are written.
     std::uint8_t* cells;
 };
@@ -324,44 +324,53 @@ struct FindFoldsJob {
 /// Extremes of a piece of a cascade.
 struct ContractionExtremes {
     float displacement_squared;  ///< largest Dx^2 + Dz^2
-    float stretch;               ///< upper bound of the norm of all slope matrices
-    float steepness_squared;     ///< largest square of the height's gradient
+    float stretch_squared;       ///< upper bound of the squared norm of all slope matrices
+    std::uint8_t byte;           ///< the largest byte of FindContractionJob
 };
 
-/// Computes the contraction bound of a cascade for blocks of 2 x 2 cells: minus the smallest
-/// eigenvalue of the symmetric part of the slope matrix, at least 0, times `one`, rounded up. A
-/// byte of 255 means 255 or more. Inside a cell the slopes are interpolated between those at its
-/// corners. The smallest eigenvalue is a concave function of the slopes, so its minimum is at a
-/// corner. Blocks of the surface have a multiple of W columns.
+/// Computes an upper bound of a cascade's contraction for blocks of one column of cells by
+/// block_rows: minus the smallest eigenvalue of the symmetric part of the slope matrix, at least 0,
+/// times `one`, rounded up. A byte of 255 means 255 or more. Blocks of the surface have a multiple
+/// of W columns.
 struct FindContractionJob {
-    static constexpr std::size_t max_resolution = 2048;
+    static constexpr std::size_t max_resolution = 2048, block_rows = 4;
 
     SurfaceTexels surface;
     float texels_per_m;             ///< N / L
     float cosine, sine;             ///< rotation of the cascade's grid
     float one;                      ///< the byte value that represents 1
-    std::size_t first_row, rows;    ///< even
-    std::uint8_t* blocks;           ///< (N/2)^2, tight rows; only the job's rows are written
+    std::size_t first_row, rows;    ///< multiples of block_rows
+    std::uint8_t* blocks;           ///< N^2 / block_rows, rows of N; only the job's rows are written
     ContractionExtremes* extremes;  ///< extremes of the job's rows
 };
 
-/// Computes for each byte the maximum of all bytes within `reach` along both axes. The square of
-/// bytes is periodic.
-struct SpreadContractionJob {
-    static constexpr std::size_t max_side = 1024;  ///< half of the largest resolution
-
-    const std::uint8_t* from;  ///< side^2
-    std::size_t side;          ///< a power of two
-    std::size_t reach;         ///< less than side / 2
-    std::uint8_t* scratch;     ///< 2 side^2
-    std::uint8_t* to;          ///< side^2
+/// Computes the largest gradient of a cascade's heights over reference positions, where each cell has
+/// the larger change of its two edges along x, and along z. Blocks of the surface have a multiple of
+/// W columns.
+struct SteepnessJob {
+    SurfaceTexels surface;
+    float texels_per_m;  ///< N / L
 };
 
-/// Computes the maximum of each 2 x 2 bytes.
+/// Computes for each byte the maximum of all bytes within a reach along both axes. The rectangle of
+/// bytes is periodic.
+struct SpreadContractionJob {
+    static constexpr std::size_t max_columns = FindContractionJob::max_resolution;
+    static constexpr std::size_t margin = 64;  ///< a register's bytes
+
+    const std::uint8_t* from;      ///< in tight rows
+    std::size_t columns, rows;     ///< powers of two
+    std::size_t reach_x, reach_z;  ///< less than half of columns and of rows
+    std::uint8_t* scratch;         ///< 2 columns rows + margin
+    std::uint8_t* to;              ///< in tight rows
+};
+
+/// Computes the maximum of two columns, of one row or two.
 struct HalveContractionJob {
-    const std::uint8_t* from;  ///< 4 side^2
-    std::size_t side;
-    std::uint8_t* to;  ///< side^2
+    const std::uint8_t* from;   ///< 2 columns by rows_each rows for each byte of the output, in tight rows
+    std::size_t columns, rows;  ///< of the output
+    std::size_t rows_each;      ///< 1 or 2
+    std::uint8_t* to;           ///< in tight rows
 };
 
 /// Maximum number of cascades that a kernel adds.
@@ -394,7 +403,7 @@ struct InvertStackJob {
     std::size_t count;                   ///< a multiple of W
     float *offset_x, *offset_z;          ///< metres, world to reference positions; alias no input
     float* error;                        ///< remaining distance in metres
-    std::int32_t* blocks[max_cascades];  ///< index of the 2 x 2 cells of each cascade, row by row
+    std::int32_t* blocks[max_cascades];  ///< index of the block (FindContractionJob) of each cascade
 };
 
 /// SampleSurfaceJob for a sum of cascades: adds the slopes and computes the normals of the sum.
@@ -435,6 +444,7 @@ struct Kernels {
     void (*find_contraction)(const FindContractionJob&);
     void (*spread_contraction)(const SpreadContractionJob&);
     void (*halve_contraction)(const HalveContractionJob&);
+    float (*steepness)(const SteepnessJob&);
     ByInterpolation<InvertStackJob> invert_stack;
     ByInterpolation<SampleStackJob> sample_stack;
     void (*dynamic_columns)(const DynamicColumnsJob&);

@@ -51,6 +51,7 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::find_contraction<xsimd::PELAGIC_ISA_ARCH>,
     kernels::spread_contraction<xsimd::PELAGIC_ISA_ARCH>,
     kernels::halve_contraction<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::steepness<xsimd::PELAGIC_ISA_ARCH>,
     {kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,
      kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Cubic>},
     {kernels::sample_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,

@@ -109,9 +109,10 @@ class StackSearch {
         z_.store_aligned(job.offset_z + at);
         square_root<Arch>(squared_).store_aligned(job.error + at);
         for (std::size_t t = 0; t < job.cascade_count; ++t) {
-            const int half = job.cascades[t].surface.resolution / 2;
-            const I column = cells_[t].x() >> 1 & I(half - 1), row = cells_[t].z() >> 1 & I(half - 1);
-            (row * I(half) + column).store_aligned(job.blocks[t] + at);
+            static_assert(FindContractionJob::block_rows == 4);
+            const int n = job.cascades[t].surface.resolution;
+            const I column = cells_[t].x() & I(n - 1), row = cells_[t].z() >> 2 & I(n / 4 - 1);
+            (row * I(n) + column).store_aligned(job.blocks[t] + at);
         }
     }
 

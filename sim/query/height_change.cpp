@@ -1,7 +1,10 @@
 #include "pelagic/sim/query/height_change.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+
+#include "pelagic/sim/buffers/surface_texels.hpp"
 
 namespace pelagic {
 namespace {
@@ -12,16 +15,32 @@ constexpr double min_bound_slack = 1e-3;
 /// Relative tolerance of a free distance.
 constexpr double near_enough = 1.0 / 32;
 
+/// Upper bound of the relative rounding error of float sums.
+constexpr double rounding = 1 + 1e-5;
+
+/// Returns the largest slope of a cascade's heights over reference points. All threads compute the
+/// same value, so none has to wait for another.
+double steepness_of(const Cascade& cascade, const Kernels& kernels) {
+    std::atomic<float>* const known = cascade.contraction.steepness;
+    float steepness = known ? known->load(std::memory_order_relaxed) : -1;
+    if (steepness < 0) {
+        steepness = kernels.steepness(
+            {.surface = texels_of(cascade), .texels_per_m = static_cast<float>(1 / cascade.texel_m())});
+        if (known) known->store(steepness, std::memory_order_relaxed);
+    }
+    return static_cast<double>(steepness) * rounding;
+}
+
 }  // namespace
 
-HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m,
+HeightChange::HeightChange(std::span<const Cascade> cascades, const Kernels& kernels, double dynamic_waves_range_m,
                            double weights_change_per_m)
     : count_(cascades.size()), dynamic_waves_range_m_(dynamic_waves_range_m) {
     double slack = 1, further_m = 0;
     for (const Cascade& cascade : cascades) further_m += 2 * static_cast<double>(cascade.contraction.largest_m);
     for (std::size_t i = 0; i < count_; ++i) {
         const Cascade& cascade = cascades[i];
-        bounds_[i] = {.steepness = static_cast<double>(cascade.contraction.steepness),
+        bounds_[i] = {.steepness = steepness_of(cascade, kernels),
                       .range_m = static_cast<double>(cascade.bounds.height_max_m - cascade.bounds.height_min_m),
                       .slack = slack,
                       .further_m = further_m};

@@ -31,8 +31,9 @@ class HeightChange {
     /// \param dynamic_waves_range_m  range of the heights that dynamic waves and a shore add,
     ///                               metres
     /// \param weights_change_per_m     c, 1/m
-    explicit HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m = 0,
-                          double weights_change_per_m = 0);
+    /// Computes the largest slope of the heights unless another ray of the frame did. Thread-safe.
+    HeightChange(std::span<const Cascade> cascades, const Kernels& kernels, double dynamic_waves_range_m = 0,
+                 double weights_change_per_m = 0);
 
     /// Returns the upper bound for positions at a horizontal distance, metres.
     double within(double distance_m) const;

@@ -9,7 +9,7 @@
 //   cell in each step and for the samples, which lengthens the chain of dependent instructions.
 //   The general kernels with contraction maps and StackSearch: 0.75 (heights, AVX2). On folded seas
 //   of the paper's scale, a point takes over 1,000 times as long (AVX2, N = 64 and 256). Frames
-//   with queries take 20 % more instructions.
+//   with queries take 3 % more instructions.
 #pragma once
 
 #include "pelagic/sim/cascade_sum.hpp"

@@ -47,7 +47,7 @@ struct PointChunk {
     World rest;  ///< reference points, of a frame with one cascade
     /// Of several: from position to reference point, metres.
     alignas(64) Floats offset_x, offset_z;
-    alignas(64) Cells blocks[max_cascades];  ///< of several: block of 2 x 2 cells in each cascade
+    alignas(64) Cells blocks[max_cascades];  ///< of several: block of the contraction map
     alignas(64) Floats error;                ///< metres, after find_reference_points()
     alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
     alignas(64) double x[capacity], z[capacity];  ///< metres, in the water; 0 if it has no sample

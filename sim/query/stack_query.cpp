@@ -1,6 +1,7 @@
 // There are two methods for reference points. A SIMD kernel finds one iteratively, and one byte of
 // each cascade proves that it is the only one (contraction_map.hpp). If the bytes do not prove it,
-// or the iteration did not converge, stack_search.hpp finds all reference points.
+// stack_search.hpp tries a proof for this point. If that fails, or the iteration did not converge,
+// it finds all reference points.
 #include "pelagic/sim/query/stack_query.hpp"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ namespace {
 // upper one in finest texels. Above it, a false reference point might be accepted.
 constexpr double min_stack_target = 1e-6, max_stack_target = 1.0 / 64;
 static_assert(max_stack_target < ContractionMap::margin);
-
-// Upper bounds of the sums of the cascades' contraction bytes, rounded down: without and with the
-// last cascade.
-constexpr int max_but_last = static_cast<int>(ContractionBound::one * (1 - ContractionMap::min_slack));
-constexpr int max_of_all = static_cast<int>(ContractionBound::one * (1 - ContractionMap::min_slack_of_all));
-static_assert(max_of_all < 255, "the largest byte must fail");
 
 }  // namespace
 
@@ -90,8 +85,9 @@ void StackQuery::find_reference_points(PointChunk& chunk) const {
 bool StackQuery::is_only_one(const PointChunk& chunk, std::size_t point) const {
     int sum = 0;
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
-        sum += search_cascades_[t].contraction.around[static_cast<std::size_t>(chunk.blocks[t][point])];
-        if (sum > (t + 1 < cascades_.size() ? max_but_last : max_of_all)) return false;
+        const ContractionBound& bound = search_cascades_[t].contraction;
+        sum += bound.around[static_cast<std::size_t>(chunk.blocks[t][point])];
+        if (sum > bound.max_sum) return false;
     }
     return true;
 }
@@ -107,8 +103,9 @@ void StackQuery::search(PointChunk& chunk, std::size_t point) const {
     }
     const Offset stepped{static_cast<double>(chunk.offset_x[point]), static_cast<double>(chunk.offset_z[point])};
     const bool has_converged = chunk.error[point] <= static_cast<float>(target_m_);
-    const StackIntersection intersection = StackSearch({search_cascades_.data(), cascades_.size()}, target_m_)
-                                               .highest_intersection(where, has_converged ? &stepped : nullptr);
+    const StackSearch all({search_cascades_.data(), cascades_.size()}, target_m_);
+    if (has_converged && all.is_only_one(where, stepped)) return;
+    const StackIntersection intersection = all.highest_intersection(where, has_converged ? &stepped : nullptr);
     if (!intersection.found) return;  // keep the iteration's result and error
     chunk.offset_x[point] = static_cast<float>(intersection.offset.x);
     chunk.offset_z[point] = static_cast<float>(intersection.offset.z);

@@ -1,6 +1,7 @@
 #include "pelagic/sim/query/stack_search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "pelagic/sim/buffers/contraction_map.hpp"
@@ -57,6 +58,38 @@ Offset displacement_at(const SearchCascade& cascade, const StackPoint& point, st
     const auto [x, z] =
         cell.values_at(CascadeCell::Planar<2>{cascade.texels.dx, cascade.texels.dz}, at.u, at.v);
     return {x, z};
+}
+
+/// Returns an upper bound of the contraction of up to 2 x 2 cells (kernels/cell_strip.kernel.hpp).
+double contraction_of_cells(const SearchCascade& cascade, int first_i, int last_i, int first_j, int last_j) {
+    const SurfaceTexels& texels = cascade.texels;
+    const int columns = last_i - first_i + 2, rows = last_j - first_j + 2;
+    Offset moved[3][3];
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const std::ptrdiff_t offset = texel_offset(texels, first_i + i, first_j + j);
+            moved[j][i] = {static_cast<double>(texels.dx[offset]), static_cast<double>(texels.dz[offset])};
+        }
+    // `along` and `across` are the grid's cosine and sine over the length of a texel.
+    double x_squared = 0, z_squared = 0, x_along = 1e300, z_across = 1e300;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const Offset here = moved[j][i];
+            if (i + 1 < columns) {
+                const double x = moved[j][i + 1].x - here.x, z = moved[j][i + 1].z - here.z;
+                x_squared = std::max(x_squared, x * x + z * z);
+                x_along = std::min(x_along, cascade.along * x + cascade.across * z);
+            }
+            if (j + 1 < rows) {
+                const double x = moved[j + 1][i].x - here.x, z = moved[j + 1][i].z - here.z;
+                z_squared = std::max(z_squared, x * x + z * z);
+                z_across = std::min(z_across, cascade.along * z - cascade.across * x);
+            }
+        }
+    const double norm_squared = (x_squared + z_squared) * cascade.texels_per_m * cascade.texels_per_m;
+    const double trace = x_along + z_across;
+    const double apart = std::sqrt(std::max(2 * norm_squared - trace * trace, norm_squared));
+    return std::max(0.0, std::min((apart - trace) / 2, apart));
 }
 
 /// Returns an upper bound of what a cascade adds to the distance of a box's centre and to the
@@ -192,18 +225,28 @@ double StackSearch::contraction_within(const StackPoint& point, std::size_t numb
     const int last_i = at.i + static_cast<int>(std::floor(at.u + reach));
     const int first_j = at.j + static_cast<int>(std::floor(at.v - reach));
     const int last_j = at.j + static_cast<int>(std::floor(at.v + reach));
-    // Choose the finest level at which two blocks along each axis cover the square.
+    if (last_i - first_i <= 1 && last_j - first_j <= 1)
+        return contraction_of_cells(cascade, first_i, last_i, first_j, last_j);
+    // Choose the finest level at which few blocks cover the square: a coarser one covers more cells
+    // beside it.
+    constexpr int max_columns = 8, max_rows = 3;
+    constexpr int min_shift_z = std::countr_zero(FindContractionJob::block_rows);
     const std::uint8_t* blocks = cascade.contraction.blocks.data();
-    int shift = 1, side = n / 2;
-    while (side > 1 && ((last_i >> shift) - (first_i >> shift) > 1 || (last_j >> shift) - (first_j >> shift) > 1)) {
-        blocks += side * side;
-        side /= 2;
-        ++shift;
+    int shift_x = 0, shift_z = min_shift_z, columns = n, rows = n >> min_shift_z;
+    while (columns > 1 && ((last_i >> shift_x) - (first_i >> shift_x) >= max_columns ||
+                           (last_j >> shift_z) - (first_j >> shift_z) >= max_rows)) {
+        blocks += columns * rows;
+        columns /= 2;
+        if (++shift_x > shift_z) {
+            rows /= 2;
+            ++shift_z;
+        }
     }
-    const int left = first_i >> shift & (side - 1), right = last_i >> shift & (side - 1);
-    const int upper = (first_j >> shift & (side - 1)) * side, lower = (last_j >> shift & (side - 1)) * side;
-    const int max = std::max(std::max(blocks[upper + left], blocks[upper + right]),
-                             std::max(blocks[lower + left], blocks[lower + right]));
+    std::uint8_t max = columns == 1 ? *blocks : 0;
+    for (int j = first_j >> shift_z; columns > 1 && j <= last_j >> shift_z; ++j) {
+        const std::uint8_t* const row = blocks + (j & (rows - 1)) * columns;
+        for (int i = first_i >> shift_x; i <= last_i >> shift_x; ++i) max = std::max(max, row[i & (columns - 1)]);
+    }
     return max == 255 ? 1e9 : static_cast<double>(max) / ContractionBound::one;
 }
 
@@ -240,6 +283,21 @@ StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known
         }
     }
     return {known, reach_m};
+}
+
+bool StackSearch::is_only_one(const StackPoint& point, Offset known) const {
+    double further_m = target_m_, slack = 1;
+    for (const SearchCascade& cascade : cascades_)
+        further_m += 2 * static_cast<double>(cascade.contraction.largest_m);
+    double reach_m = further_m;
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        const SearchCascade& cascade = cascades_[t];
+        slack -= contraction_within(point, t, known, reach_m * cascade.texels_per_m);
+        if (!(slack > 0)) return false;
+        further_m -= 2 * static_cast<double>(cascade.contraction.largest_m);
+        reach_m = std::min(reach_m, further_m / slack);
+    }
+    return slack >= ContractionMap::min_slack_of_all;
 }
 
 /// Runs Newton's method; returns whether it converges.

@@ -63,6 +63,10 @@ class StackSearch {
     StackSearch(std::span<const SearchCascade> cascades, double target_m)
         : cascades_(cascades), target_m_(target_m) {}
 
+    /// Returns whether a known reference point is proven to be the only one, from the bounds r_i of
+    /// contraction_map.hpp with the slacks around it. Like the map, the proof is for the linear
+    /// surface.
+    bool is_only_one(const StackPoint& point, Offset known) const;
     /// Returns the highest of the surface's intersections with the vertical line through a
     /// position.
     /// \param known  reference point of one of them; may be null

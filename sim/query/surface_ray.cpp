@@ -129,6 +129,7 @@ class FreeSteps {
         if (!query.frame().cascades.front().contraction.empty())
             change_.emplace(
                 query.frame().cascades,
+                kernels_for(query.frame().isa),
                 static_cast<double>(dynamic_waves.bounds.height_max_m - dynamic_waves.bounds.height_min_m) +
                     static_cast<double>(shore.bounds.height_max_m - shore.bounds.height_min_m),
                 static_cast<double>(shore.weights_change_per_m));

@@ -6,6 +6,14 @@
 #include "pelagic/sim/buffers/item_stage.hpp"
 
 namespace pelagic {
+namespace {
+
+// find_contraction() keeps a word for each block of a job's rows.
+constexpr std::size_t folds_stack_bytes = 4 * ContractionMap::rows_per_job / FindContractionJob::block_rows *
+                                              FindContractionJob::max_resolution +
+                                          stack_margin;
+
+}  // namespace
 
 void FoldStages::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfaces_done) {
     if (pass == Pass::tick) return;
@@ -24,7 +32,7 @@ void FoldStages::add_stages(JobGraph& graph, Pass pass, std::span<StageId> surfa
                                         .count = is_one ? buffers.folds->jobs() : buffers.contraction->jobs(),
                                         .waits_for = {surfaces_done[cascade]},
                                         .body = for_each_item(find),
-                                        .stack_bytes = stack_margin}));
+                                        .stack_bytes = folds_stack_bytes}));
     }
     for (std::size_t cascade = 0; cascade < surfaces_done.size(); ++cascade) {
         const auto tail = [this, cascade, is_one](std::size_t) {

@@ -114,11 +114,12 @@ class ViewCopier {
         auto& [grid, level_m, dx, height, dz, velocity_x, velocity_y, velocity_z, water, folds, contraction,
                displacement, gradient, slopes, moments, slope_ranges, compression, snapshots, snapshots_version, drift_columns,
                drift_rows, compression_scale, front_x, front_z, slope_variance, bounds] = cascade;
-        auto& [blocks, around, largest_m, stretch, steepness] = contraction;
+        auto& [blocks, around, max_sum, largest_m, stretch, steepness] = contraction;
         copy_planes(dx, height, dz, velocity_x, velocity_y, velocity_z);
         copy(folds, blocks, around, gradient, compression);
         for (auto& image : snapshots) copy(image);
         displacement = {};
+        steepness = nullptr;
         slopes = moments = {};
         water = {};
     }
