@@ -430,7 +430,7 @@ void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::spa
                                 there = height_and_velocity_at(frame.dynamic_waves, in_x, in_z);
         const Hollow::Depth own = own_hollow.at(in_x, in_z);
         if (!wake_m.empty()) wake_m[i] = there.height_m + own.depth_m;
-        if (!wake_up_mps.empty()) wake_up_mps[i] = there.vertical_velocity_mps + own.sinking_mps;
+        if (!wake_up_mps.empty()) wake_up_mps[i] = there.velocity_mps + own.sinking_mps;
         height_m[i] = static_cast<float>(height_m[i] + there.height_m - here.height_m + own.depth_m);
         velocity_y_mps[i] =
             static_cast<float>(velocity_y_mps[i] + there.velocity_mps - here.velocity_mps + own.sinking_mps);
