@@ -2,43 +2,21 @@
 #include "pelagic/capi/c_exact_water.hpp"
 
 #include <cstddef>
-#include <limits>
 #include <memory>
-#include <mutex>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "pelagic/capi/c_executor.hpp"
 #include "pelagic/capi/c_ocean.hpp"
 #include "pelagic/capi/c_sea.hpp"
 #include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/c_water_points.hpp"
+#include "pelagic/capi/idle_jobs.hpp"
 #include "pelagic/capi/sized_struct.hpp"
-#include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/water_jobs.hpp"
 
 struct pelagic_exact_water {
-    /// Calls sample(jobs) with jobs that no other thread uses.
-    template <class Sample>
-    void with_jobs(Sample sample) const {
-        std::unique_ptr<pelagic::WaterJobs> jobs;
-        {
-            const std::lock_guard lock(mutex);
-            if (!idle.empty()) {
-                jobs = std::move(idle.back());
-                idle.pop_back();
-            }
-        }
-        if (!jobs) jobs = std::make_unique<pelagic::WaterJobs>(executor);
-        sample(*jobs);
-        const std::lock_guard lock(mutex);
-        idle.push_back(std::move(jobs));
-    }
-
     std::shared_ptr<pelagic::Executor> executor;
     pelagic::ExactWater water;
-    mutable std::mutex mutex;
-    mutable std::vector<std::unique_ptr<pelagic::WaterJobs>> idle;
+    mutable pelagic::capi::IdleJobs<pelagic::WaterJobs> idle;
 };
 
 namespace pelagic::capi {
@@ -55,35 +33,6 @@ ExactWaterOptions exact_water_options_of(const pelagic_exact_water_options& from
 }
 
 namespace {
-
-/// The largest count whose size in bytes fits ptrdiff_t; no array in memory is larger.
-constexpr std::size_t max_count = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
-
-void check_count(std::size_t count) {
-    if (count > max_count) reject(invalid_value_message("points.count", count, "at most " + number_text(max_count)));
-}
-
-std::span<const double> positions_of(const double* all, const char* name, std::size_t count) {
-    if (count == 0) return {};
-    return {&needed(all, name), count};
-}
-
-/// Returns a conversion of the application's arrays of `count` elements.
-auto arrays_of(std::size_t count) {
-    return [count]<class T>(T* data) { return data ? std::span<T>(data, count) : std::span<T>(); };
-}
-
-WaterSamples water_samples_of(const pelagic_water_samples& from, std::size_t count) {
-    const auto array = arrays_of(count);
-    return {.depth_m = array(from.depth_m),
-            .pressure_pa = array(from.pressure_pa),
-            .velocity_x_mps = array(from.velocity_x_mps),
-            .velocity_y_mps = array(from.velocity_y_mps),
-            .velocity_z_mps = array(from.velocity_z_mps),
-            .acceleration_x_mps2 = array(from.acceleration_x_mps2),
-            .acceleration_y_mps2 = array(from.acceleration_y_mps2),
-            .acceleration_z_mps2 = array(from.acceleration_z_mps2)};
-}
 
 SurfaceSamples surface_samples_of(const pelagic_samples& from, std::size_t count) {
     const auto array = arrays_of(count);
@@ -114,7 +63,7 @@ pelagic_status pelagic_exact_water_create(const pelagic_sea* sea, const pelagic_
         const ExactWaterOptions wanted = exact_water_options_of(
             options ? read_struct(options, "options") : pelagic_exact_water_options_make());
         const auto executor = wanted.executor ? wanted.executor : make_serial_executor();
-        out = new pelagic_exact_water{executor, ExactWater(sea_of(sea), wanted), {}, {}};
+        out = new pelagic_exact_water{executor, ExactWater(sea_of(sea), wanted), {}};
     });
 }
 
@@ -129,13 +78,10 @@ pelagic_status pelagic_exact_water_sample(const pelagic_exact_water* water, cons
     return guarded([&] {
         const pelagic_exact_water& ours = needed(water, "water");
         const pelagic_water_points where = read_struct(points, "points");
-        check_count(where.count);
-        const WaterPoints at{.x = positions_of(where.x, "points.x", where.count),
-                             .y = positions_of(where.y, "points.y", where.count),
-                             .z = positions_of(where.z, "points.z", where.count)};
+        const WaterPoints at = water_points_of(where);
         const WaterSamples to = water_samples_of(read_struct(samples, "samples"), where.count);
         if (where.parallel != 0)
-            ours.with_jobs([&](WaterJobs& jobs) { jobs.sample(ours.water, at, to); });
+            ours.idle.use(ours.executor, [&](WaterJobs& jobs) { jobs.sample(ours.water, at, to); });
         else
             ours.water.sample(at, to);
     });
@@ -151,7 +97,7 @@ pelagic_status pelagic_exact_water_sample_surface(const pelagic_exact_water* wat
                                .z = positions_of(where.z, "points.z", where.count)};
         const SurfaceSamples to = surface_samples_of(read_struct(samples, "samples"), where.count);
         if (where.parallel != 0)
-            ours.with_jobs([&](WaterJobs& jobs) { jobs.sample_surface(ours.water, at, to); });
+            ours.idle.use(ours.executor, [&](WaterJobs& jobs) { jobs.sample_surface(ours.water, at, to); });
         else
             ours.water.sample_surface(at, to);
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "pelagic/capi/c_executor.hpp"
@@ -58,22 +59,6 @@ void QueryFrames::wait_for_old_readers() {
     slots_[1 - newest_].number = 0;
     const std::atomic<std::uint32_t>& readers = slots_[1 - newest_].readers;
     for (std::uint32_t now = readers; now != 0; now = readers) wait_while(readers, now);
-}
-
-void QueryBatches::sample(const std::shared_ptr<Executor>& executor, const SurfaceQuery& query,
-                          const SurfacePoints& points, const SurfaceSamples& samples) {
-    std::unique_ptr<SurfaceQueryJobs> jobs;
-    {
-        const std::lock_guard lock(mutex_);
-        if (!idle_.empty()) {
-            jobs = std::move(idle_.back());
-            idle_.pop_back();
-        }
-    }
-    if (!jobs) jobs = std::make_unique<SurfaceQueryJobs>(executor);
-    jobs->sample(query, points, samples);
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(jobs));
 }
 
 void need_no_frame_in_flight(const pelagic_ocean& ocean) {
@@ -361,7 +346,9 @@ pelagic_frame c_frame_of(const pelagic_ocean& ocean, std::uint64_t number) {
 
 pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options) {
     const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options_make();
-    auto* const ocean = new pelagic_ocean(forecast, ocean_options_of(wanted), query_tolerance_m(wanted));
+    OceanOptions ours = ocean_options_of(wanted);
+    if (!ours.executor) ours.executor = make_default_executor();  // queries use it, too
+    auto* const ocean = new pelagic_ocean(forecast, std::move(ours), query_tolerance_m(wanted));
     for (std::size_t i = 0; i < wanted.input_count; ++i) wanted.inputs[i]->has_ocean = true;
     return ocean;
 }

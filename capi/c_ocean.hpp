@@ -5,15 +5,16 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "pelagic/capi/c_dynamic_waves.hpp"
+#include "pelagic/capi/idle_jobs.hpp"
 #include "pelagic/pelagic.h"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
+#include "pelagic/sim/water_jobs.hpp"
 
 namespace pelagic::capi {
 
@@ -65,17 +66,6 @@ class QueryFrames {
     std::atomic<Slot*> current_ = nullptr;  ///< slot, for readers
 };
 
-/// Batches of queries on the threads of an executor, for any number of threads.
-class QueryBatches {
-   public:
-    void sample(const std::shared_ptr<Executor>& executor, const SurfaceQuery& query, const SurfacePoints& points,
-                const SurfaceSamples& samples);
-
-   private:
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<SurfaceQueryJobs>> idle_;
-};
-
 }  // namespace pelagic::capi
 
 struct pelagic_ocean {
@@ -100,7 +90,8 @@ struct pelagic_ocean {
     bool has_completed = false;             ///< by complete(), not only by frame_at()
     const pelagic::Frame* current = nullptr;  ///< frame that queries, cascade, copy and hash read
     mutable pelagic::capi::QueryFrames query_frames;
-    mutable pelagic::capi::QueryBatches query_batches;
+    mutable pelagic::capi::IdleJobs<pelagic::SurfaceQueryJobs> idle_queries;
+    mutable pelagic::capi::IdleJobs<pelagic::WaterJobs> idle_water;
 };
 
 namespace pelagic::capi {
@@ -130,6 +121,8 @@ const Frame& needed_frame(const QueryFrames::Reader& reader, std::uint64_t numbe
 /// Also throws std::invalid_argument without queries.
 const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader,
                                  std::uint64_t number = 0);
+/// Returns the options of a query, of which a tolerance of 0 is the ocean's. Throws std::invalid_argument.
+SurfaceQueryOptions query_options_of(const pelagic_ocean& ocean, double tolerance_m, std::int32_t interpolation);
 /// Convert options; null gives no instruction set and operator new. Throw std::invalid_argument for
 /// an unknown name, and if only one function is set.
 std::optional<Isa> isa_of(const char* name);

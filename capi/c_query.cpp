@@ -26,12 +26,12 @@ void need_queries(const pelagic_ocean& ocean) {
         reject("the ocean cannot be queried: it was created without pelagic_ocean_options.queries");
 }
 
-Interpolation interpolation_of(const pelagic_points& points) {
-    switch (points.interpolation) {
+Interpolation interpolation_of(std::int32_t interpolation) {
+    switch (interpolation) {
         case PELAGIC_INTERPOLATION_LINEAR: return Interpolation::linear;
         case PELAGIC_INTERPOLATION_CUBIC: return Interpolation::cubic;
         default:
-            reject(invalid_value_message("points.interpolation", points.interpolation,
+            reject(invalid_value_message("points.interpolation", interpolation,
                                          "PELAGIC_INTERPOLATION_LINEAR (0) or _CUBIC (1)"));
     }
 }
@@ -74,8 +74,7 @@ class PointQuery {
     /// Throws std::invalid_argument.
     PointQuery(const pelagic_ocean& ocean, const pelagic_points& points, const pelagic_samples& samples)
         : ocean_(ocean),
-          options_{.tolerance_m = tolerance_of(points.tolerance_m, ocean),
-                   .interpolation = interpolation_of(points)},
+          options_(query_options_of(ocean, points.tolerance_m, points.interpolation)),
           points_(points_of(points)),
           samples_(samples),
           is_parallel_(points.parallel != 0) {}
@@ -84,7 +83,8 @@ class PointQuery {
         const SurfaceQuery query(frame, options_);
         const SurfaceSamples to = samples_of(samples_, first, points_.x.size());
         if (is_parallel_)
-            ocean_.query_batches.sample(ocean_.executor, query, points_, to);
+            ocean_.idle_queries.use(ocean_.executor,
+                                    [&](SurfaceQueryJobs& jobs) { jobs.sample(query, points_, to); });
         else
             query.sample(points_, to);
     }
@@ -165,6 +165,10 @@ pelagic_hit c_hit_of(const SurfaceHit& found) {
 }
 
 }  // namespace
+
+SurfaceQueryOptions query_options_of(const pelagic_ocean& ocean, double tolerance_m, std::int32_t interpolation) {
+    return {.tolerance_m = tolerance_of(tolerance_m, ocean), .interpolation = interpolation_of(interpolation)};
+}
 
 const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader, std::uint64_t number) {
     need_queries(ocean);

@@ -61,7 +61,7 @@ void check_contents(const Frame& frame, const UndisplacedSamples& wanted) {
     if (!frame.cascades.front().height.data)
         reject("the frame has no planes: the ocean was created with pelagic_ocean_options.textures_only");
     if (wanted.velocity_mps && !frame.cascades.front().velocity_x.data)
-        reject("the frame has no velocities: the ocean was created without pelagic_ocean_options.velocities");
+        reject("the frame has no velocities: the ocean was created without PELAGIC_VELOCITIES_DRAWN");
     if (wanted.foam && !has_foam(frame))
         reject("the frame has no foam: the ocean was created without pelagic_ocean_options.foam");
 }

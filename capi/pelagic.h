@@ -1278,6 +1278,42 @@ typedef struct pelagic_hit {
 PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray,
                                                    pelagic_hit* hit);
 
+/* Positions in the world, in metres: y is up, and not below the sea floor. */
+typedef struct pelagic_water_points {
+    uint32_t struct_size;
+    /* Nonzero: the executor's threads take part if there are more than 16 points. The call may then allocate. */
+    int32_t parallel;
+    int32_t interpolation; /* as pelagic_points.interpolation */
+    uint64_t frame;        /* as pelagic_points.frame */
+    double tolerance_m;    /* as pelagic_points.tolerance_m */
+    double footprint_m;    /* leaves out cascades that hold no wave of this length; at least 0 */
+    double water_density_kgpm3; /* [500, 2000]; 0: 1025 */
+    size_t count;
+    const double *x, *y, *z; /* `count` values each; may be NULL if that is 0 */
+} pelagic_water_points;
+static inline pelagic_water_points pelagic_water_points_make(void) { PELAGIC_MAKE(pelagic_water_points); }
+
+/* Arrays that receive the results, each as long as the points. A NULL pointer leaves a result out. No array may
+ * overlap another or the points. Results at positions that are not finite are the quiet NaN 0x7fc00000. Above the
+ * surface the pressure is 0, and velocity and acceleration are those at the surface. */
+typedef struct pelagic_water_samples {
+    uint32_t struct_size;
+    float* depth_m;     /* below the surface above the point; negative in the air */
+    float* pressure_pa; /* above that of the air */
+    /* The water's own velocity, not scaled by choppiness. */
+    float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
+    float *acceleration_x_mps2, *acceleration_y_mps2, *acceleration_z_mps2;
+} pelagic_water_samples;
+static inline pelagic_water_samples pelagic_water_samples_make(void) { PELAGIC_MAKE(pelagic_water_samples); }
+
+/* Samples the water of a frame; with pelagic_ocean_options.queries and depth. The depth is that below the surface of
+ * pelagic_ocean_query(). docs/queries.md has the accuracy.
+ * Errors: PELAGIC_INVALID_ARGUMENT also for a point below the sea floor; PELAGIC_WRONG_ORDER as
+ *   pelagic_ocean_query().
+ * Threads: any. Unless `parallel` is set, the call allocates nothing and never waits. */
+PELAGIC_API pelagic_status pelagic_ocean_sample_water(const pelagic_ocean* ocean, const pelagic_water_points* points,
+                                                      const pelagic_water_samples* samples);
+
 /* ---- Exact water ----------------------------------------------------------------------------- */
 
 /* The exact sum over the waves of a sea, without frames, for servers and tests: surface, pressure, velocity and
@@ -1311,30 +1347,7 @@ PELAGIC_API void pelagic_exact_water_destroy(pelagic_exact_water* water);
 /* Moves the water to a time, which is finite. It takes about as long as a sample, and allocates nothing. */
 PELAGIC_API pelagic_status pelagic_exact_water_set_time(pelagic_exact_water* water, double time_s);
 
-/* Positions in the world, in metres: y is up, and not below the sea floor. */
-typedef struct pelagic_water_points {
-    uint32_t struct_size;
-    /* Nonzero: the executor's threads take part if there are more than 16 points. The call may then allocate. */
-    int32_t parallel;
-    size_t count;
-    const double *x, *y, *z; /* `count` values each; may be NULL if that is 0 */
-} pelagic_water_points;
-static inline pelagic_water_points pelagic_water_points_make(void) { PELAGIC_MAKE(pelagic_water_points); }
-
-/* Arrays that receive the results, each as long as the points. A NULL pointer leaves a result out. No array may
- * overlap another or the points. Results at positions that are not finite are the quiet NaN 0x7fc00000. Above the
- * surface, pressure, velocity and acceleration are 0. */
-typedef struct pelagic_water_samples {
-    uint32_t struct_size;
-    float* depth_m;     /* below the surface above the point; negative in the air */
-    float* pressure_pa; /* above that of the air */
-    /* The water's own velocity, not scaled by choppiness. */
-    float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps;
-    float *acceleration_x_mps2, *acceleration_y_mps2, *acceleration_z_mps2;
-} pelagic_water_samples;
-static inline pelagic_water_samples pelagic_water_samples_make(void) { PELAGIC_MAKE(pelagic_water_samples); }
-
-/* Samples the water at the points.
+/* Samples the water at the points, of which only count, x, y, z and parallel are used.
  * Errors: PELAGIC_INVALID_ARGUMENT also for a point below the sea floor.
  * Threads: any, except during pelagic_exact_water_set_time(). */
 PELAGIC_API pelagic_status pelagic_exact_water_sample(const pelagic_exact_water* water,

@@ -182,6 +182,9 @@ TEST_F(StructSizes, InputStructsMayBeOlderOrNewer) {
         return pelagic_exact_water_sample(exact, &water_points, wanted);
     });
     pelagic_exact_water_destroy(exact);
+    expect_read_in_every_size(water_points, [&](pelagic_water_points* wanted) {
+        return pelagic_ocean_sample_water(ocean.get(), wanted, &water_samples);
+    });
     auto ray = pelagic_ray_make();
     ray.direction[1] = -1;
     expect_read_in_every_size(ray, [&](pelagic_ray* asked) {

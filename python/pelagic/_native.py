@@ -582,20 +582,15 @@ class pelagic_hit(ctypes.Structure):
     ]
 
 
-class pelagic_exact_water_options(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("water_density_kgpm3", c_double),
-        ("water_frame", POINTER(pelagic_water_frame)),
-        ("executor", c_void_p),
-        ("isa", c_char_p),
-    ]
-
-
 class pelagic_water_points(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
         ("parallel", c_int32),
+        ("interpolation", c_int32),
+        ("frame", c_uint64),
+        ("tolerance_m", c_double),
+        ("footprint_m", c_double),
+        ("water_density_kgpm3", c_double),
         ("count", c_size_t),
         ("x", c_void_p),
         ("y", c_void_p),
@@ -614,6 +609,16 @@ class pelagic_water_samples(ctypes.Structure):
         ("acceleration_x_mps2", c_void_p),
         ("acceleration_y_mps2", c_void_p),
         ("acceleration_z_mps2", c_void_p),
+    ]
+
+
+class pelagic_exact_water_options(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("water_density_kgpm3", c_double),
+        ("water_frame", POINTER(pelagic_water_frame)),
+        ("executor", c_void_p),
+        ("isa", c_char_p),
     ]
 
 
@@ -756,9 +761,9 @@ STRUCTS = [
     pelagic_samples,
     pelagic_ray,
     pelagic_hit,
-    pelagic_exact_water_options,
     pelagic_water_points,
     pelagic_water_samples,
+    pelagic_exact_water_options,
     pelagic_hull_mesh,
     pelagic_hull_options,
     pelagic_hull_info,
@@ -915,6 +920,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "pelagic_ocean_query_series": (c_int32, [c_void_p, c_void_p, c_size_t, c_void_p, POINTER(pelagic_points), POINTER(pelagic_samples), POINTER(pelagic_frame)]),
     "pelagic_ocean_sample_undisplaced": (c_int32, [c_void_p, POINTER(pelagic_points), c_void_p, c_void_p, c_void_p]),
     "pelagic_ocean_first_hit": (c_int32, [c_void_p, POINTER(pelagic_ray), POINTER(pelagic_hit)]),
+    "pelagic_ocean_sample_water": (c_int32, [c_void_p, POINTER(pelagic_water_points), POINTER(pelagic_water_samples)]),
     "pelagic_exact_water_create": (c_int32, [POINTER(pelagic_sea), POINTER(pelagic_exact_water_options), c_void_p]),
     "pelagic_exact_water_destroy": (None, [c_void_p]),
     "pelagic_exact_water_set_time": (c_int32, [c_void_p, c_double]),

@@ -201,7 +201,9 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     const auto queries = bytes.take<std::uint8_t>();
     options.queries = queries % 4;
     const auto parts = bytes.take<std::uint8_t>();
-    options.velocities = parts % 2;
+    // Only some byte values ask for water of its own velocity, or below the surface.
+    options.velocities = parts % 2 * (queries / 64 == 2 ? PELAGIC_VELOCITIES_WATER : PELAGIC_VELOCITIES_DRAWN);
+    options.depth = queries / 64 == 3;
     const int set = parts / 16 == 7 ? PELAGIC_TEXTURES_OFF : PELAGIC_TEXTURES_ON;
     options.slopes = parts / 2 % 2 * set;
     options.gradients = parts / 4 % 2 * set;
@@ -252,6 +254,14 @@ void any_query(Bytes& bytes, pelagic_ocean* ocean) {
     const double times_s[3] = {bytes.number(), bytes.number(), bytes.number()};
     const double* const next_s = which >> 10 & 1 ? times_s + 2 : nullptr;
     must_be_a_status(pelagic_ocean_query_series(ocean, times_s, 1 + (which >> 11 & 1), next_s, &points, &samples, nullptr));
+
+    auto water_points = pelagic_water_points_make();
+    water_points.count = points.count, water_points.interpolation = points.interpolation;
+    water_points.x = points.x, water_points.y = points.z, water_points.z = points.x;
+    water_points.tolerance_m = points.tolerance_m, water_points.footprint_m = times_s[0];
+    auto water = pelagic_water_samples_make();
+    water.depth_m = out[0], water.pressure_pa = out[1], water.velocity_x_mps = out[2], water.acceleration_y_mps2 = out[3];
+    must_be_a_status(pelagic_ocean_sample_water(ocean, &water_points, &water));
 }
 
 void any_ray(Bytes& bytes, const pelagic_ocean* ocean) {

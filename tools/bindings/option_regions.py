@@ -506,7 +506,8 @@ def blender_settings(schema):
 def page_values(option):
     """The columns of a page's table: what an option accepts, and its default."""
     if option.types:
-        return option.shown, "required" if option.required else "none" if option.type == "own" else "derived"
+        is_default = option.enum and not option.own_type("C++")
+        return option.shown, f"`{option.default}`" if is_default else "required" if option.required else "none" if option.type == "own" else "derived"
     if option.enum:
         return ", ".join(f"`{name}`" for name, _ in option.enum.values), f"`{option.default}`"
     if option.type == "bool":

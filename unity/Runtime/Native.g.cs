@@ -1336,20 +1336,15 @@ namespace Pelagic
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        internal struct pelagic_exact_water_options
-        {
-            internal uint struct_size;
-            internal double water_density_kgpm3;
-            internal WaterFrame* water_frame;
-            internal IntPtr executor;
-            internal byte* isa;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
         internal struct pelagic_water_points
         {
             internal uint struct_size;
             internal int parallel;
+            internal int interpolation;
+            internal ulong frame;
+            internal double tolerance_m;
+            internal double footprint_m;
+            internal double water_density_kgpm3;
             internal UIntPtr count;
             internal double* x;
             internal double* y;
@@ -1368,6 +1363,16 @@ namespace Pelagic
             internal float* acceleration_x_mps2;
             internal float* acceleration_y_mps2;
             internal float* acceleration_z_mps2;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct pelagic_exact_water_options
+        {
+            internal uint struct_size;
+            internal double water_density_kgpm3;
+            internal WaterFrame* water_frame;
+            internal IntPtr executor;
+            internal byte* isa;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1770,6 +1775,9 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_first_hit(IntPtr ocean, Ray* ray, Hit* hit);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_sample_water(IntPtr ocean, pelagic_water_points* points, pelagic_water_samples* samples);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_exact_water_create(Sea* sea, pelagic_exact_water_options* options, IntPtr* water);
