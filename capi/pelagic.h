@@ -1283,7 +1283,7 @@ typedef struct pelagic_water_points {
     uint32_t struct_size;
     /* Nonzero: the executor's threads take part if there are more than 16 points. The call may then allocate. */
     int32_t parallel;
-    int32_t interpolation; /* as pelagic_points.interpolation */
+    int32_t interpolation; /* PELAGIC_INTERPOLATION_...; of the surface */
     uint64_t frame;        /* as pelagic_points.frame */
     double tolerance_m;    /* as pelagic_points.tolerance_m */
     double footprint_m;    /* leaves out cascades that hold no wave of this length; at least 0 */

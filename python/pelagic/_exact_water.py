@@ -4,26 +4,19 @@ from __future__ import annotations
 
 import ctypes
 import threading
-from typing import Any, Dict, Optional, Tuple, TypedDict
+from typing import Any, Optional, Tuple, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native as c
+from . import _water
 from ._library import call, library
 from ._numbers import address_of, number_of, rows_of
 from ._ocean import executor_of
 from ._sea import Sea
 from ._structs import sea_struct
-
-
-class WaterSamples(TypedDict):
-    """The water at each point. Above the surface all but the depth are 0."""
-
-    depth: NDArray[np.float32]  #: below the surface above the point, metres; negative in the air
-    pressure: NDArray[np.float32]  #: above that of the air, Pa
-    velocity: NDArray[np.float32]  #: (..., 3), m/s
-    acceleration: NDArray[np.float32]  #: (..., 3), m/s^2
+from ._water import WaterSamples
 
 
 class ExactSurface(TypedDict):
@@ -32,15 +25,6 @@ class ExactSurface(TypedDict):
     height: NDArray[np.float32]  #: metres
     normal: NDArray[np.float32]  #: (..., 3), unit vectors
     velocity: NDArray[np.float32]  #: (..., 3), m/s
-
-
-def _rows(results: Any, name: str, names: Tuple[str, ...]) -> Dict[str, Optional[int]]:
-    """Returns the addresses of the rows of x, y and z, by the names of their fields."""
-    return {field: address_of(row) for field, row in zip(names, results[name])}
-
-
-def _by_point(rows: NDArray[np.float32], shape: Tuple[int, ...]) -> NDArray[np.float32]:
-    return np.ascontiguousarray(rows.T).reshape(*shape, 3)
 
 
 class ExactWater:
@@ -96,19 +80,11 @@ class ExactWater:
     def sample(self, points: ArrayLike) -> WaterSamples:
         """Returns the water at points of shape (..., 3), in the world: x, y and z. Raises ValueError
         for a point below the sea floor."""
-        array = rows_of(points, "points", 3, "x, y and z of each point")
-        shape, rows = array.shape[:-1], array.reshape(-1, 3).T.copy()
-        count = rows.shape[1]
-        results: Any = {name: np.empty(count if name in ("depth", "pressure") else (3, count), np.float32)
-                        for name in ("depth", "pressure", "velocity", "acceleration")}
-        asked = c.sized(c.pelagic_water_points, parallel=1, count=count, **_rows({"": rows}, "", ("x", "y", "z")))
-        samples = c.sized(c.pelagic_water_samples, depth_m=address_of(results["depth"]), pressure_pa=address_of(results["pressure"]),
-                          **_rows(results, "velocity", ("velocity_x_mps", "velocity_y_mps", "velocity_z_mps")),
-                          **_rows(results, "acceleration", ("acceleration_x_mps2", "acceleration_y_mps2", "acceleration_z_mps2")))
-        with self._turn:
-            call(library.pelagic_exact_water_sample, self._handle, asked, samples)
-        return {"depth": results["depth"].reshape(shape), "pressure": results["pressure"].reshape(shape),
-                "velocity": _by_point(results["velocity"], shape), "acceleration": _by_point(results["acceleration"], shape)}
+        def query(asked: Any, samples: Any) -> None:
+            with self._turn:
+                call(library.pelagic_exact_water_sample, self._handle, asked, samples)
+
+        return _water.sample(points, query)
 
     def sample_surface(self, points: ArrayLike) -> ExactSurface:
         """Returns the surface, which is not displaced, at positions of shape (..., 2): x and z."""
@@ -116,10 +92,10 @@ class ExactWater:
         shape, rows = array.shape[:-1], array.reshape(-1, 2).T.copy()
         count = rows.shape[1]
         results: Any = {name: np.empty(count if name == "height" else (3, count), np.float32) for name in ("height", "normal", "velocity")}
-        asked = c.sized(c.pelagic_points, parallel=1, count=count, **_rows({"": rows}, "", ("x", "z")))
-        samples = c.sized(c.pelagic_samples, height_m=address_of(results["height"]), **_rows(results, "normal", ("normal_x", "normal_y", "normal_z")),
-                          **_rows(results, "velocity", ("velocity_x_mps", "velocity_y_mps", "velocity_z_mps")))
+        asked = c.sized(c.pelagic_points, parallel=1, count=count, **_water.rows({"": rows}, "", ("x", "z")))
+        samples = c.sized(c.pelagic_samples, height_m=address_of(results["height"]), **_water.rows(results, "normal", ("normal_x", "normal_y", "normal_z")),
+                          **_water.rows(results, "velocity", _water.VELOCITY))
         with self._turn:
             call(library.pelagic_exact_water_sample_surface, self._handle, asked, samples)
-        return {"height": results["height"].reshape(shape), "normal": _by_point(results["normal"], shape),
-                "velocity": _by_point(results["velocity"], shape)}
+        return {"height": results["height"].reshape(shape), "normal": _water.by_point(results["normal"], shape),
+                "velocity": _water.by_point(results["velocity"], shape)}

@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native as c
-from . import _queries
+from . import _queries, _water
 from ._library import call, quick_library
 from ._numbers import invalid, whole_number_of
 from ._queries import Field, Hits, Interpolation, SurfaceSamples, UndisplacedSamples
 from ._sea import Sea
 from ._views import view_of
+from ._water import WaterSamples
 from ._waves import DynamicWavesView, ShoreSurface
 
 if TYPE_CHECKING:
@@ -410,6 +411,23 @@ class Frame:
         length of the longest waves.
         """
         return _queries.query(self, points, z, fields, tolerance_m, interpolation)
+
+    def sample_water(
+        self,
+        points: ArrayLike,
+        *,
+        tolerance_m: float = 0.001,
+        interpolation: Interpolation = "linear",
+        footprint_m: float = 0.0,
+        water_density_kgpm3: float = 1025.0,
+    ) -> WaterSamples:
+        """Returns the water at points of shape (..., 3), in the world: x, y and z. Requires
+        Ocean(depth=True). Raises ValueError for a point below the sea floor.
+
+        `footprint_m` leaves out cascades that hold no wave of this length. The density of the water
+        is in [500, 2000].
+        """
+        return _water.sample_frame(self, points, tolerance_m, interpolation, footprint_m, water_density_kgpm3)
 
     def rays(self, origins: ArrayLike, directions: ArrayLike, reach: ArrayLike, *, tolerance_m: float = 0.001) -> Hits:
         """Returns the first intersection of each ray with the water. Origins and directions are

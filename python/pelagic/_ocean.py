@@ -234,15 +234,19 @@ class Ocean:
                 if number < self._oldest or self._is_closed:
                     self._readers_left.notify_all()
 
-    def _hash(self, number: int, kind: int) -> int:
-        hash_ = ctypes.c_uint64()
+    def _call_of_frame(self, number: int, function: Any, *arguments: Any) -> None:
+        """Calls a function of the library that reads a frame, with the ocean as its first argument."""
         self._enter_library(number)
         try:
-            status = library.pelagic_ocean_frame_hash(self._handle, number, kind, ctypes.byref(hash_))
+            status = function(self._handle, *arguments)
         finally:
             self._leave(_IN_LIBRARY)
         if status:
             raise self._error_of(status, number)
+
+    def _hash(self, number: int, kind: int) -> int:
+        hash_ = ctypes.c_uint64()
+        self._call_of_frame(number, library.pelagic_ocean_frame_hash, number, kind, ctypes.byref(hash_))
         return hash_.value
 
     def _destroy(self, destroy: Any = library.pelagic_ocean_destroy) -> None:

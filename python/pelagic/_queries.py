@@ -126,14 +126,14 @@ class _Positions:
         raise ValueError(invalid(name(point), number_text(float(value)), "[-1e9, 1e9]"))
 
 
-def _tolerance(tolerance_m: float) -> float:
+def tolerance_of(tolerance_m: float) -> float:
     number = tolerance_m if type(tolerance_m) is float else number_of(tolerance_m, "tolerance_m")
     if not 1e-6 <= number <= 1000:
         raise ValueError(invalid("tolerance_m", number_text(number), "[1e-6, 1000]"))
     return number
 
 
-def _interpolation(name: str) -> int:
+def interpolation_of(name: str) -> int:
     number = _INTERPOLATIONS.get(name)
     if number is None:
         raise ValueError(invalid("interpolation", str(name), "linear or cubic"))
@@ -208,7 +208,7 @@ def query(frame: Frame, points: Any, z: Any, fields: Any, tolerance_m: float, in
     ocean, number = frame._ocean, frame._number
     ocean._enter_library(number)
     try:
-        tolerance, of_interpolation = _tolerance(tolerance_m), _interpolation(interpolation)
+        tolerance, of_interpolation = tolerance_of(tolerance_m), interpolation_of(interpolation)
         positions = _Positions(points, z)
         if positions.count > 1:
             positions.warn_of_span(frame._cascades[0].side_m)
@@ -235,7 +235,7 @@ def _need_no_repetition(times: NDArray[np.float64], loop_s: float) -> None:
 
 
 def series(ocean: Ocean, points: Any, times: Any, fields: Any, tolerance_m: float, interpolation: str, repeats: bool) -> SurfaceSamples:
-    tolerance, of_interpolation = _tolerance(tolerance_m), _interpolation(interpolation)
+    tolerance, of_interpolation = tolerance_of(tolerance_m), interpolation_of(interpolation)
     positions = _Positions(points, None)
     moments = doubles_of(times, "times").copy()
     if moments.ndim != 1:
@@ -291,7 +291,7 @@ def rays(frame: Frame, origins: Any, directions: Any, reach: Any, tolerance_m: f
     ocean, number = frame._ocean, frame._number
     ocean._enter(number)
     try:
-        tolerance = _tolerance(tolerance_m)
+        tolerance = tolerance_of(tolerance_m)
         meaning = "x, y and z of each ray"
         from_, towards, far = np.broadcast_arrays(rows_of(origins, "origins", 3, meaning), rows_of(directions, "directions", 3, meaning),
                                                   doubles_of(reach, "reach")[..., None])

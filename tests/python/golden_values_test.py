@@ -124,6 +124,43 @@ def test_exact_water():
         assert str(refused.value) == line
 
 
+@pytest.mark.filterwarnings("ignore:the points span more")
+def test_water_of_a_frame():
+    points = np.stack([X, (-1.5, -0.25, -20, 0, 1, -3, -100, -4000), Z], 1)
+    with pelagic.Ocean(SMALL_SEA, depth=True) as ocean:
+        frame = ocean.frame_at(12.5)
+        water, height = frame.sample_water(points), frame.query(X, Z)["height"]
+        assert np.allclose(water["depth"], height - points[:, 1], atol=1e-4)
+        in_air = water["depth"] < 0
+        assert in_air.any() and (water["pressure"][in_air] == 0).all() and (water["pressure"][~in_air] > 0).all()
+        # Waves hardly reach the depths of the last points.
+        assert np.allclose(water["pressure"][-2:], 1025 * 9.80665 * -points[-2:, 1], rtol=0.01)
+        assert np.linalg.norm(water["velocity"], axis=1)[-1] < 1e-9 and np.linalg.norm(water["velocity"], axis=1).max() > 1e-4
+        assert np.linalg.norm(water["acceleration"], axis=1)[-1] < 0.01 < np.linalg.norm(water["acceleration"], axis=1)[0]
+        lighter = frame.sample_water(points, water_density_kgpm3=1000, interpolation="cubic", footprint_m=1e4)
+        assert np.isclose(lighter["pressure"][-1], water["pressure"][-1] / 1.025)
+        many = frame.sample_water(np.tile(points, (100, 1, 1)))
+        assert all((many[name] == water[name]).all() for name in water)
+        assert frame.sample_water(np.zeros((2, 0, 3)))["velocity"].shape == (2, 0, 3) and frame.sample_water([0, -1, 0])["depth"].shape == ()
+        assert np.isnan(frame.sample_water([0, np.inf, 0])["pressure"])
+        with pelagic.Ocean(SMALL_SEA) as shallow:
+            without = shallow.frame_at(0)
+            for error, line, call in (
+                    (ValueError, "the frame has no water below its surface: create the ocean with depth=True", lambda: without.sample_water(points)),
+                    (ValueError, "y[0] is -4001, expected at least -4000, the sea floor", lambda: frame.sample_water([[0, -4001, 0]])),
+                    (ValueError, "points.shape is (2,), expected (..., 3): x, y and z of each point", lambda: frame.sample_water([0, 0])),
+                    (ValueError, "points.footprint_m is -1, expected 0 or more", lambda: frame.sample_water(points, footprint_m=-1)),
+                    (ValueError, "interpolation is sinc, expected linear or cubic", lambda: frame.sample_water(points, interpolation="sinc")),
+                    (ValueError, "water_density_kgpm3 0 is out of range [500, 2000]", lambda: frame.sample_water(points, water_density_kgpm3=0))):
+                with pytest.raises(error) as refused:
+                    call()
+                assert str(refused.value) == line
+        for time_s in (13, 14):
+            ocean.frame_at(time_s)
+        with pytest.raises(pelagic.StaleFrame):
+            frame.sample_water(points)
+
+
 def test_a_transition():
     with pelagic.Ocean(SMALL_SEA) as ocean:
         later = pelagic.Sea(cascades=3, resolution=32, wind_speed_mps=6, loop_period_s=40)
@@ -170,7 +207,7 @@ def test_bodies():
     afloat = (hull.volume_m3, hull.draught_m, hull.height_m, hull.waterplane_m2, hull.roll_gm_m, hull.pitch_gm_m)
     assert {"box": hexadecimal(*afloat)} == golden_rows("hull")
     waves = pelagic.DynamicWavesOptions(resolution=64, side_m=32, border_m=4)
-    with pelagic.Ocean(SMALL_SEA, velocities=True, dynamic_waves=waves) as ocean:
+    with pelagic.Ocean(SMALL_SEA, depth=True, dynamic_waves=waves) as ocean:
         bodies = pelagic.Bodies(ocean, wakes=True)
         numbers = [bodies.add(hull, hull.at_rest(1, -2, 0.25)), bodies.add(hull, hull.at_rest(-5, 4))]
         bodies.set_inputs(numbers[1], force_n=(900, 0, 0), wind_mps=(0, 0, 5))

@@ -23,7 +23,7 @@ def test_a_hull_has_the_properties_of_its_arguments():
 
 def test_a_rollback_replays_bit_equal():
     hull = pelagic.Hull(BOX, BOX_TRIANGLES, 3500)
-    with pelagic.Ocean(ROUGH, velocities=True, dynamic_waves=GRID) as ocean:
+    with pelagic.Ocean(ROUGH, depth=True, dynamic_waves=GRID) as ocean:
         bodies = pelagic.Bodies(ocean, wakes=True, threads=2)
         first = bodies.add(hull, hull.at_rest(-4, 1))
         bodies.set_inputs(first, force_n=(2000, 0, 0), wind_mps=(0, 0, 4))
@@ -52,7 +52,7 @@ def test_a_rollback_replays_bit_equal():
 
 def test_other_threads_run_during_steps():
     hull = pelagic.Hull(BOX, BOX_TRIANGLES, 3500)
-    with pelagic.Ocean(ROUGH, velocities=True) as ocean:
+    with pelagic.Ocean(ROUGH, depth=True) as ocean:
         sets = [pelagic.Bodies(ocean, threads=1) for _ in range(2)]
         for bodies in sets:
             bodies.add(hull, hull.at_rest(0, 0))
@@ -67,12 +67,12 @@ def test_other_threads_run_during_steps():
 
 def test_invalid_arguments_raise_a_one_line_error():
     hull = pelagic.Hull(BOX, BOX_TRIANGLES, 4100)
-    with pelagic.Ocean(STILL, velocities=True) as ocean, pelagic.Ocean(STILL, velocities=True) as other:
+    with pelagic.Ocean(STILL, depth=True) as ocean, pelagic.Ocean(STILL, depth=True) as other:
         bodies = pelagic.Bodies(ocean)
         number = bodies.add(hull, hull.at_rest(0, 0))
         state, frame = bodies.state(number), ocean.frame_at(0)
         before = bodies.save_state()
-        with pelagic.Ocean(STILL) as without_velocities:
+        with pelagic.Ocean(STILL) as without_depth:
             cases = {
                 (TypeError, "ocean is None, expected a pelagic.Ocean"): lambda: pelagic.Bodies(None),
                 (TypeError, "hull is None, expected a pelagic.Hull"): lambda: bodies.add(None, state),
@@ -81,7 +81,7 @@ def test_invalid_arguments_raise_a_one_line_error():
                 (TypeError, "frame is None, expected a pelagic.Frame"): lambda: bodies.step(None, TICK_S),
                 (TypeError, "saved is str, expected bytes that save_state() returned"): lambda: bodies.restore_state("x"),
                 (TypeError, "Hull() needs mass_kg"): lambda: pelagic.Hull(BOX, BOX_TRIANGLES),
-                (ValueError, "the ocean has no velocities: create it with velocities=True"): lambda: pelagic.Bodies(without_velocities),
+                (ValueError, "the ocean has no depth: create it with depth=True"): lambda: pelagic.Bodies(without_depth),
                 (ValueError, "the ocean has no dynamic waves: create it with dynamic_waves="): lambda: pelagic.Bodies(ocean, wakes=True),
                 (ValueError, "the frame is one of another ocean"): lambda: bodies.step(other.frame_at(0), TICK_S),
                 (ValueError, "step_s -1 is out of range [0, inf) s"): lambda: bodies.step(frame, -1),
@@ -112,7 +112,7 @@ def test_invalid_arguments_raise_a_one_line_error():
 
 def test_bodies_may_outlive_their_ocean():
     hull = pelagic.Hull(BOX, BOX_TRIANGLES, 4100)
-    with pelagic.Ocean(STILL, velocities=True, dynamic_waves=GRID) as ocean:
+    with pelagic.Ocean(STILL, depth=True, dynamic_waves=GRID) as ocean:
         bodies = pelagic.Bodies(ocean, wakes=True)
         bodies.add(hull, hull.at_rest(0, 0))
     del ocean, hull

@@ -1340,7 +1340,7 @@ namespace Pelagic
         {
             internal uint struct_size;
             internal int parallel;
-            internal int interpolation;
+            internal Interpolation interpolation;
             internal ulong frame;
             internal double tolerance_m;
             internal double footprint_m;
