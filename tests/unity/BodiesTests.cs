@@ -17,13 +17,13 @@ public static class BodiesTests
         0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3,
     };
 
-    private static Ocean Water(Executor executor = null, bool velocities = true)
+    private static Ocean Water(Executor executor = null, bool depth = true)
     {
         var waves = DynamicWavesOptions.Default;
         waves.Resolution = 64;
         waves.SideM = 32;
         waves.BorderM = 4;
-        return new Ocean(GoldenTests.SmallSea(), new OceanOptions { Queries = true, Depth = velocities, DynamicWaves = waves, Executor = executor });
+        return new Ocean(GoldenTests.SmallSea(), new OceanOptions { Queries = true, Depth = depth, DynamicWaves = waves, Executor = executor });
     }
 
     private static Hull Box() => new Hull(Vertices, Triangles, new HullOptions(2500) { RollDamping = 0.125, CentreOfMassM = new[] { 0, -0.125, 0 } });
@@ -141,9 +141,9 @@ public static class BodiesTests
             var state = hull.AtRest(0, 0);
             Check.Throws<PelagicException>(() => hull.ComputeLoads(ocean, ref state, 1), "a step of a second");
         }
-        using (var ocean = Water(velocities: false))
-            Check.Equal(Check.Throws<PelagicException>(() => new Bodies(ocean), "no velocities").Message,
-                        "bodies need queries and velocities, which the ocean was created without", "message");
+        using (var ocean = Water(depth: false))
+            Check.Equal(Check.Throws<PelagicException>(() => new Bodies(ocean), "no depth").Message,
+                        "bodies need queries and depth, which the ocean was created without", "message");
     }
 
     [Test]

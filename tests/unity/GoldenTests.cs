@@ -246,6 +246,41 @@ public static unsafe class GoldenTests
     }
 
     [Test]
+    public static void WaterOfAFrameIsBelowItsSurface()
+    {
+        double[] y = { -1.5, -0.25, -20, 0, 1, -3, -100, -3990 };
+        float[] depth = new float[y.Length], pressure = new float[y.Length], rise = new float[y.Length], height = new float[y.Length];
+        using (var ocean = new Ocean(SmallSea(), new OceanOptions { Queries = true, Depth = true }))
+        {
+            Check.Equal(Check.Throws<PelagicException>(() => ocean.SampleWater(pointsX, y, pointsZ, default), "no frame").Status, Status.WrongOrder, "status");
+            ocean.Schedule(12.5);
+            ocean.Complete();
+            ocean.SampleWater(pointsX, y, pointsZ, new WaterSamples { DepthM = depth, PressurePa = pressure, AccelerationYMps2 = rise });
+            ocean.Query(pointsX, pointsZ, new Samples { HeightM = height });
+            for (var i = 0; i < y.Length; ++i)
+            {
+                Check.True(Math.Abs(height[i] - y[i] - depth[i]) < 1e-3, $"depth {i}");
+                Check.Equal(pressure[i] > 0, depth[i] > 0, $"pressure {i}");
+            }
+            Check.True(Math.Abs(pressure[7] / (1025 * 9.80665 * 3990) - 1) < 1e-3, "pressure of still water in the deep");
+            Check.True(Math.Abs(rise[7]) < 1e-3 && Math.Abs(rise[0]) > 1e-2, "the water of the deep is at rest");
+            ocean.SampleWater(pointsX, y, pointsZ, new WaterSamples { PressurePa = height }, Interpolation.Cubic, 1000);
+            Check.True(Math.Abs(pressure[7] / height[7] - 1.025) < 1e-5, "density");
+            Check.Throws<ArgumentException>(() => ocean.SampleWater(pointsX, y, new double[1], default), "z has another length");
+            Check.Throws<ArgumentException>(() => ocean.SampleWater(pointsX, y, pointsZ, new WaterSamples { DepthM = new float[7] }), "a short span");
+            Check.Equal(Check.Throws<PelagicException>(() => ocean.SampleWater(new double[1], new[] { -4001.0 }, new double[1], default), "floor").Message,
+                        "y[0] is -4001, expected at least -4000, the sea floor", "a point below the floor");
+        }
+        using (var ocean = new Ocean(SmallSea(), new OceanOptions { Queries = true }))
+        {
+            ocean.Schedule(0);
+            ocean.Complete();
+            Check.Equal(Check.Throws<PelagicException>(() => ocean.SampleWater(pointsX, y, pointsZ, default), "no depth").Message,
+                        "the ocean has no water below its surface: it was created without pelagic_ocean_options.depth", "message");
+        }
+    }
+
+    [Test]
     public static void WaveInputsHaveTheGoldenHashes()
     {
         var seas = new Dictionary<string, Sea>

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Pelagic.Unity
 {
     /// <summary>
-    /// Moves its transform as a hull that floats in the water of an OceanBehaviour with Velocities. Each FixedUpdate()
+    /// Moves its transform as a hull that floats in the water of an OceanBehaviour with Depth. Each FixedUpdate()
     /// advances the hull by Time.fixedDeltaTime in the frame completed last. In an ocean with DynamicWaves it
     /// makes a wake.
     ///
