@@ -90,6 +90,12 @@ const MethodOf<OceanNode> ocean_method_list[] = {
      {type_pool_vector3_array},
      "(places)",
      [](OceanNode& node, std::span<Variant* const> arguments) { return query(node, *arguments[0]); }},
+    {"sample_water",
+     {type_pool_vector3_array},
+     "(places)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         return value_of(node.sample_water(PoolElements<Vector3>(*arguments[0]).all()));
+     }},
     {"first_hit",
      {type_vector3, type_vector3, type_real},
      "(origin, direction, reach_m)",

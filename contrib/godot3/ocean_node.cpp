@@ -10,6 +10,7 @@
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/sim/water_query.hpp"
 
 namespace pelagic::godot {
 namespace {
@@ -24,6 +25,14 @@ bool is_server() {
     static const bool is =
         Method("_OS", "has_feature").on<bool>(call(core::global_get_singleton, "OS"), Text("Server").string());
     return is;
+}
+
+Value vectors_of(const std::vector<float>(&components)[3]) {
+    Pool<Vector3> pool(components[0].size());
+    pool.fill([&](std::span<Vector3> room) {
+        for (std::size_t i = 0; i < room.size(); ++i) room[i] = {components[0][i], components[1][i], components[2][i]};
+    });
+    return pool.value();
 }
 
 /// The nodes by their objects. The engine may create nodes on a thread that loads a scene.
@@ -278,8 +287,8 @@ std::optional<double> OceanNode::significant_wave_height_m() {
     return asked->statistics.significant_wave_height_m;
 }
 
-SurfaceQuery OceanNode::query_of(const Frame& frame) const {
-    return SurfaceQuery(frame, {.interpolation = *value_named<Interpolation>(settings_.interpolation)});
+SurfaceQueryOptions OceanNode::query_options() const {
+    return {.interpolation = *value_named<Interpolation>(settings_.interpolation)};
 }
 
 std::optional<float> OceanNode::height_at(const Vector3& place) {
@@ -287,7 +296,7 @@ std::optional<float> OceanNode::height_at(const Vector3& place) {
     if (!asked) return {};
     const double x = place.x, z = place.z;
     float height = 0;
-    query_of(*asked).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
+    SurfaceQuery(*asked, query_options()).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
     return height;
 }
 
@@ -306,7 +315,7 @@ std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
     for (auto& component : n) component.resize(count);
     for (auto& component : v) component.resize(settings_.velocities ? count : 0);
     heights.fill([&](std::span<float> room) {
-        query_of(*asked).sample({x_, z_}, {.height_m = room,
+        SurfaceQuery(*asked, query_options()).sample({x_, z_}, {.height_m = room,
                                            .normal_x = n[0],
                                            .normal_y = n[1],
                                            .normal_z = n[2],
@@ -314,17 +323,10 @@ std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
                                            .velocity_y_mps = v[1],
                                            .velocity_z_mps = v[2]});
     });
-    const auto vectors = [&](const std::vector<float>(&of)[3]) {
-        Pool<Vector3> pool(count);
-        pool.fill([&](std::span<Vector3> room) {
-            for (std::size_t i = 0; i < count; ++i) room[i] = {of[0][i], of[1][i], of[2][i]};
-        });
-        return pool.value();
-    };
     auto answers = std::make_unique<Table>();
     answers->set("height", heights.value());
-    answers->set("normal", vectors(n));
-    if (settings_.velocities) answers->set("velocity", vectors(v));
+    answers->set("normal", vectors_of(n));
+    if (settings_.velocities) answers->set("velocity", vectors_of(v));
     if (asked->shore) {
         Pool<float> depths(count);
         depths.fill([&](std::span<float> room) {
@@ -333,6 +335,34 @@ std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
         });
         answers->set("depth", depths.value());
     }
+    return answers;
+}
+
+std::unique_ptr<Table> OceanNode::sample_water(std::span<const Vector3> places) {
+    if (!settings_.depth) throw std::invalid_argument("the ocean has no depth: set depth to true");
+    const Frame* asked = frame();
+    if (!asked) return {};
+    const std::size_t count = places.size();
+    std::vector<double> at[3];
+    std::vector<float> velocity[3], acceleration[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        velocity[axis].resize(count);
+        acceleration[axis].resize(count);
+    }
+    for (const Vector3& place : places) {
+        at[0].push_back(place.x);
+        at[1].push_back(place.y);
+        at[2].push_back(place.z);
+    }
+    std::vector<float> depths(count), pressures(count);
+    WaterQuery(*asked, {.surface = query_options()})
+        .sample({at[0], at[1], at[2]}, {depths, pressures, velocity[0], velocity[1], velocity[2], acceleration[0],
+                                        acceleration[1], acceleration[2]});
+    auto answers = std::make_unique<Table>();
+    answers->set("depth", Pool<float>(std::span<const float>(depths)).value());
+    answers->set("pressure", Pool<float>(std::span<const float>(pressures)).value());
+    answers->set("velocity", vectors_of(velocity));
+    answers->set("acceleration", vectors_of(acceleration));
     return answers;
 }
 

@@ -80,6 +80,9 @@ class OceanNode {
     /// Returns arrays with one element per position: height, normal, velocity if the node has
     /// velocities, and depth if it has a shore.
     std::unique_ptr<Table> query(std::span<const Vector3> places);
+    /// Returns arrays with one element per position: depth, pressure, velocity and acceleration of the
+    /// water there. Throws std::invalid_argument without the property `depth`, and below the sea floor.
+    std::unique_ptr<Table> sample_water(std::span<const Vector3> places);
     /// Returns hit, distance, position and normal.
     std::unique_ptr<Table> first_hit(const Vector3& origin, const Vector3& direction, double reach_m);
     /// Returns the model's significant wave height in metres.
@@ -130,7 +133,7 @@ class OceanNode {
     void move_wakes();
     void end_wakes();
     void draw(const Frame& frame);
-    SurfaceQuery query_of(const Frame& frame) const;
+    SurfaceQueryOptions query_options() const;
 
     Object* self_;
     OceanSettings settings_;

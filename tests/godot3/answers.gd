@@ -45,6 +45,15 @@ func _init():
 	var place = Vector3(12.5, 77, -40)
 	say("same %s" % str(ocean.query(PoolVector3Array([place]))["height"][0] == ocean.height_at(place)))
 
+	# Water below the surface, which the property `depth` adds.
+	var below = PoolVector3Array([place - Vector3(0, 80, 0)])
+	refusals = []
+	say("shallow %s %s" % [ocean.sample_water(below) == null, JSON.print(refusals)])
+	ocean.depth = true
+	var water = ocean.sample_water(below)
+	say("water %.6f %.1f %d %d" % [water["depth"][0] - ocean.height_at(place), water["pressure"][0], water["velocity"].size(), water["acceleration"].size()])
+	ocean.depth = false
+
 	# A ray hits the surface that height_at() returns.
 	var hit = ocean.first_hit(Vector3(3, 12, -7), Vector3(1, -0.4, 0.3), 500)
 	say("hit %s %.9f %.9f" % [hit["hit"], hit["position"].y, ocean.height_at(hit["position"])])

@@ -56,6 +56,9 @@ with tempfile.TemporaryDirectory() as work:
         assert json.loads(info.stdout)["first_frame"]["hash"] == hash_there, name
 
     assert single(says, "same") == "True"
+    assert single(says, "shallow") == 'True ["the ocean has no depth: set depth to true"]'
+    depth_above_height_m, pressure_pa, velocities, accelerations = map(float, single(says, "water").split())
+    assert abs(depth_above_height_m - 3) < 1e-4 and 5e3 < pressure_pa < 60e3 and velocities == accelerations == 1
     hit, drawn_m, water_m = single(says, "hit").split()
     # The hit is within a millimetre of the water. Its position is a float, which adds 2e-6 m at
     # 30 m.

@@ -133,9 +133,9 @@ func test_refusals():
 		other.ocean = path
 		other.step(STEP_S)
 	other.ocean = NodePath("..")
-	ocean.velocities = false
+	ocean.depth = false
 	other.step(STEP_S)
-	ocean.velocities = true
+	ocean.depth = true
 	say("unusable %s" % JSON.print(refusals))
 	say("untouched %s" % str(other.transform == Transform()))
 	refusals = []
@@ -201,7 +201,7 @@ var launched
 
 func start_scene():
 	ocean = made("ocean", given["sea"])
-	ocean.velocities = false
+	ocean.depth = false
 	root.add_child(ocean)
 	hull = made("hull", {"mesh": mesh_of(given["boat"]), "mass_kg": given["mass_kg"]})
 	ocean.add_child(hull)
@@ -220,7 +220,7 @@ func _iteration(_seconds):
 	frames += 1
 	if frames == 20:
 		say("once %s %s" % [JSON.print(refusals), str(hull.transform == Transform())])
-		ocean.velocities = true
+		ocean.depth = true
 	if frames == 200:
 		var up = hull.global_transform.basis.y
 		say("scene %.9f %.9f %.9f" % [hull.translation.y, ocean.height_at(hull.global_transform.origin), up.y])

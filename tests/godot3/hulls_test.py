@@ -107,7 +107,7 @@ unusable = [
     "ocean is ../boat, expected the path of a PelagicOcean",
     "ocean is empty, expected the path of a PelagicOcean",
     "ocean is ., expected the path of a PelagicOcean",
-    "the ocean has no velocities: set velocities to true",
+    "the ocean has no depth: set depth to true",
 ]
 restored = [
     "the saved bodies are damaged, expected the bytes that save_state() returned",
@@ -124,7 +124,7 @@ class CInterface(CBodies):
         super().__init__(library_file)
         sea, self.ocean, self.hull = make(pelagic.pelagic_sea), ctypes.c_void_p(), ctypes.c_void_p()
         sea.cascades, sea.resolution, sea.wind_speed_mps = 2, 32, 12
-        self.call("ocean_create", sea, make(pelagic.pelagic_ocean_options, queries=1, velocities=1), ctypes.byref(self.ocean))
+        self.call("ocean_create", sea, make(pelagic.pelagic_ocean_options, queries=1, depth=1), ctypes.byref(self.ocean))
         options = make(pelagic.pelagic_hull_options)
         options.mass_kg, options.roll_damping = mass_kg, 0.125
         options.centre_of_mass_m, options.inertia_kgm2 = (self.address(ctypes.c_double, of) for of in (centre_of_mass_m, inertia_kgm2))
@@ -191,8 +191,8 @@ with tempfile.TemporaryDirectory() as folder:
     there.call("bodies_remove", second, 1)
     (work / "second").write_bytes(there.saved(second))
 
-    given = {"still_sea": {"resolution": 32, "cascades": 1, "patch_size_m": 100, "wind_speed_mps": 0.01, "velocities": True, "playing": False},
-             "sea": {"cascades": 2, "resolution": 32, "wind_speed_mps": 12, "velocities": True, "playing": False},
+    given = {"still_sea": {"resolution": 32, "cascades": 1, "patch_size_m": 100, "wind_speed_mps": 0.01, "depth": True, "playing": False},
+             "sea": {"cascades": 2, "resolution": 32, "wind_speed_mps": 12, "depth": True, "playing": False},
              "box": box, "mass_of_box": mass_of_box, "boat": boat, "mass_kg": mass_kg, "centre_of_mass_m": centre_of_mass_m,
              "inertia_kgm2": inertia_kgm2, "force_n": force_n, "steps": steps, "refused": [wrong[:3] for wrong in refused],
              "pose": [1, 0, 0, 0, 1, 0, 0, 0, 1, 3, 0.5, 4],
@@ -258,7 +258,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert single(says, "again") == "[] True", says["again"]
     assert single(says, "mesh_freed") == "True []", says["mesh_freed"]
     once, still = single(says, "once").rsplit(" ", 1)
-    assert json.loads(once) == ["the ocean has no velocities: set velocities to true"] and still == "True", says["once"]
+    assert json.loads(once) == ["the ocean has no depth: set depth to true"] and still == "True", says["once"]
     origin_m, water_m, up = map(float, single(says, "scene").split())
     assert abs(origin_m - water_m) < 1 and 0.8 < up < 1 and abs(origin_m) > 1e-3, says["scene"]
     assert single(says, "paused") == "True 1", says["paused"]

@@ -163,7 +163,7 @@ with tempfile.TemporaryDirectory() as work:
     names = [name for name, *_ in properties]
     assert sorted(written) == sorted([*names, *methods]), (written, names, methods)
     without = [name for name, hint in hints.items() if int(hint[0]) not in (hint_range, hint_exp_range, hint_enum, hint_resource_type)]
-    assert without == ["foam", "velocities", "time_s", "playing", "dynamic_waves", "spray", "shore_heights_m", "ocean",
+    assert without == ["foam", "velocities", "depth", "time_s", "playing", "dynamic_waves", "spray", "shore_heights_m", "ocean",
                        "centre_of_mass_m", "inertia_kgm2", "force_n", "torque_nm", "wind_mps", "wake"], without
     defaults = dict(words.split(" ", 1) for words in node["default"])
     cells = [[cell.strip() for cell in line.split("|")] for line in reference.splitlines() if re.match(r"\| `\w+` \|.*\| -?[0-9.]+ \|$", line)]

@@ -28,7 +28,7 @@ caps = [triangle for i in range(1, 5) for triangle in ((6, 6 + i, 7 + i), (0, i 
 faces = [corner for triangle in sides + caps for corner in triangle]
 draught_m = 0.5
 mass_kg = (3 * 2 + 2 * 2) * draught_m * 1025  # Archimedes
-sea = {"cascades": 2, "resolution": 32, "wind_speed_mps": 8, "velocities": True, "dynamic_waves": True,
+sea = {"cascades": 2, "resolution": 32, "wind_speed_mps": 8, "depth": True, "dynamic_waves": True,
        "dynamic_waves_resolution": 64, "dynamic_waves_side_m": 32, "dynamic_waves_border_m": 6}
 still_sea = {**sea, "cascades": 1, "patch_size_m": 100, "wind_speed_mps": 0.01}
 cases = [{"name": "ticks", "frames": 200, "steps": 1}, {"name": "slow", "frames": 66, "steps": 3}]
@@ -44,7 +44,7 @@ class CInterface(CBodies):
         waves.resolution, waves.side_m, waves.border_m = 64, 32, 6
         self.ocean, self.waves, self.hull = ctypes.c_void_p(), ctypes.c_void_p(), ctypes.c_void_p()
         self.call("ocean_create", options,
-                  make(pelagic.pelagic_ocean_options, queries=1, velocities=1, dynamic_waves=ctypes.addressof(waves)),
+                  make(pelagic.pelagic_ocean_options, queries=1, depth=1, dynamic_waves=ctypes.addressof(waves)),
                   ctypes.byref(self.ocean))
         self.call("ocean_dynamic_waves", self.ocean, ctypes.byref(self.waves))
         hull = make(pelagic.pelagic_hull_options)
