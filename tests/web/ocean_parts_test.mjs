@@ -41,6 +41,33 @@ test('exact water has the golden values on any number of threads, and errors of 
   await assert.rejects(createExactWater({ queries: true }), /queries/);
 });
 
+test('water of a frame lies below its surface, on any number of threads', async () => {
+  const points = [[1.5, -1.5, 0.25], [-7.25, -20, 4], [12, 9, -9.75], [3, -3990, -2]];
+  const found = [];
+  for (const threads of [1, 3]) {
+    const ocean = await createOcean({ ...smallSea, queries: true, depth: true, threads });
+    assert.throws(() => ocean.sampleWater(points), /there is no frame yet/);
+    const frame = ocean.frameAt(12.5);
+    const water = frame.sampleWater(points), { heightM } = frame.query(points.map(([x, , z]) => [x, z]));
+    points.forEach(([, y], i) => {
+      assert.ok(Math.abs(heightM[i] - y - water.depthM[i]) < 1e-3);
+      assert.equal(water.pressurePa[i] > 0, water.depthM[i] > 0);
+    });
+    assert.ok(Math.abs(water.pressurePa[3] / (1025 * 9.80665 * 3990) - 1) < 1e-3);
+    assert.ok(Math.abs(ocean.sampleWater(points, { waterDensityKgpm3: 1000 }).pressurePa[3] * 1.025 / water.pressurePa[3] - 1) < 1e-6);
+    assert.equal(water.velocityMps.length, 12);
+    found.push([...water.pressurePa, ...water.velocityMps, ...water.accelerationMps2]);
+    assert.throws(() => frame.sampleWater([0, -4001, 0]), { message: 'y[0] is -4001, expected at least -4000, the sea floor' });
+    assert.throws(() => frame.sampleWater(points, { footprintM: -1 }), { message: 'footprintM is -1, expected 0 or more' });
+    assert.throws(() => frame.sampleWater(points, { interpolation: 'sinc' }), { message: 'interpolation is "sinc", expected linear or cubic' });
+    ocean.dispose();
+  }
+  assert.deepEqual(found[0], found[1]);
+  const shallow = await createOcean({ ...smallSea, queries: true, threads: 1 });
+  assert.throws(() => shallow.frameAt(0).sampleWater(points), /depth/);
+  shallow.dispose();
+});
+
 test('sources, rain and saved states continue bit-identically on any number of threads', async () => {
   const rain = { dropsPerM2S: 0.5, radiusM: 1, heightM: 0.1, seed: 3 };
   let expected = null;

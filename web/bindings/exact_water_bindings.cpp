@@ -11,11 +11,11 @@
 #include "pelagic/sim/water_jobs.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
 #include "pelagic/web/bindings/ocean_options.hpp"
+#include "pelagic/web/bindings/water_samples.hpp"
 
 namespace pelagic::web {
 namespace {
 
-using emscripten::typed_memory_view;
 using emscripten::val;
 
 constexpr std::string_view exact_water_option_names[] = {"threads", "waterDensityKgpm3", "waterFrame"};
@@ -29,25 +29,6 @@ ExactWaterOptions exact_water_options_of(const val& options) {
     }
     if (const val frame = options["waterFrame"]; !frame.isUndefined()) ours.water_frame = water_frame_of(frame);
     return ours;
-}
-
-val array_of(const std::vector<float>& numbers) {
-    return val(typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
-}
-
-/// Returns x, y, z of each point.
-val vectors_of(const std::vector<float>& x, const std::vector<float>& y, const std::vector<float>& z) {
-    std::vector<float> vectors;
-    vectors.reserve(3 * x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) vectors.insert(vectors.end(), {x[i], y[i], z[i]});
-    return array_of(vectors);
-}
-
-/// Returns each `step`th number from `first` on.
-std::vector<double> every(const std::vector<double>& numbers, std::size_t first, std::size_t step) {
-    std::vector<double> some;
-    for (std::size_t i = first; i < numbers.size(); i += step) some.push_back(numbers[i]);
-    return some;
 }
 
 class ExactWaterBinding {
@@ -65,18 +46,7 @@ class ExactWaterBinding {
 
     /// \param points  a Float64Array of x, y, z, x, y, z, ...
     val sample(const val& points) {
-        return answer_of([&] {
-            const auto all = emscripten::convertJSArrayToNumberVector<double>(points);
-            const std::vector<double> x = every(all, 0, 3), y = every(all, 1, 3), z = every(all, 2, 3);
-            std::vector<std::vector<float>> of(8, std::vector<float>(x.size()));
-            jobs_.sample(water_, {x, y, z}, {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]});
-            val object = val::object();
-            object.set("depthM", array_of(of[0]));
-            object.set("pressurePa", array_of(of[1]));
-            object.set("velocityMps", vectors_of(of[2], of[3], of[4]));
-            object.set("accelerationMps2", vectors_of(of[5], of[6], of[7]));
-            return object;
-        });
+        return answer_of([&] { return water_samples(jobs_, water_, points); });
     }
 
     /// \param points  a Float64Array of x, z, x, z, ...

@@ -18,8 +18,10 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/sim/water_query.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
 #include "pelagic/web/bindings/ocean_options.hpp"
+#include "pelagic/web/bindings/water_samples.hpp"
 
 namespace pelagic::web {
 namespace {
@@ -181,6 +183,21 @@ std::string hash_text(std::uint64_t hash) {
     return text;
 }
 
+SurfaceQueryOptions query_options_of(const val& tolerance_m, const val& interpolation) {
+    const double tolerance =
+        tolerance_m.isUndefined()
+            ? SurfaceQuery::default_tolerance_m
+            : number_of(
+                  "toleranceM", tolerance_m, [](double m) { return std::isfinite(m) && m > 0; }, "metres above 0");
+    const std::optional<Interpolation> named =
+        interpolation.isUndefined() ? Interpolation::linear
+        : interpolation.isString()  ? value_named<Interpolation>(interpolation.as<std::string>())
+                                    : std::nullopt;
+    if (!named)
+        throw std::invalid_argument(invalid_value_message("interpolation", text_of(interpolation), "linear or cubic"));
+    return {.tolerance_m = tolerance, .interpolation = *named};
+}
+
 /// Arrays for the samples of a batch, of the size of the largest batch.
 class SampleBuffers {
    public:
@@ -329,24 +346,29 @@ class OceanBinding {
     std::string hash(int slot) const { return hash_text(hash_of(frames_[slot])); }
     std::string foam_hash(int slot) const { return hash_text(foam_hash_of(frames_[slot])); }
 
+    /// \param points   a Float64Array of x, y, z, x, y, z, ...
+    /// \param options  an object with toleranceM, interpolation, footprintM and waterDensityKgpm3, each
+    ///                 of which may be undefined
+    val sample_water(int slot, const val& points, const val& options) {
+        return answer_of([&] {
+            WaterQueryOptions ours{.surface = query_options_of(options["toleranceM"], options["interpolation"])};
+            double footprint_m = 0;
+            if (const val density = options["waterDensityKgpm3"]; !density.isUndefined())
+                ours.water_density_kgpm3 = number_of(
+                    "waterDensityKgpm3", density, [](double it) { return it >= 500 && it <= 2000; }, "[500, 2000]");
+            if (const val footprint = options["footprintM"]; !footprint.isUndefined())
+                footprint_m = number_of(
+                    "footprintM", footprint, [](double m) { return std::isfinite(m) && m >= 0; }, "0 or more");
+            return water_samples(water_jobs_, WaterQuery(frames_[slot], ours), points, footprint_m);
+        });
+    }
+
     /// \param points         a Float64Array of x, z, x, z, ...
     /// \param tolerance_m    a number, or undefined
     /// \param interpolation  "linear", "cubic" or undefined
     val query(int slot, const val& points, const val& tolerance_m, const val& interpolation) {
         return answer_of([&] {
-            const double tolerance = tolerance_m.isUndefined()
-                                         ? SurfaceQuery::default_tolerance_m
-                                         : number_of(
-                                               "toleranceM", tolerance_m,
-                                               [](double m) { return std::isfinite(m) && m > 0; }, "metres above 0");
-            const std::optional<Interpolation> named =
-                interpolation.isUndefined() ? Interpolation::linear
-                : interpolation.isString()  ? value_named<Interpolation>(interpolation.as<std::string>())
-                                            : std::nullopt;
-            if (!named)
-                throw std::invalid_argument(
-                    invalid_value_message("interpolation", text_of(interpolation), "linear or cubic"));
-            const SurfaceQuery query(frames_[slot], {.tolerance_m = tolerance, .interpolation = *named});
+            const SurfaceQuery query(frames_[slot], query_options_of(tolerance_m, interpolation));
             const auto pairs = emscripten::convertJSArrayToNumberVector<double>(points);
             const std::size_t count = pairs.size() / 2;
             xs_.resize(count);
@@ -584,7 +606,8 @@ class OceanBinding {
           has_spray_(options.spray),
           inputs_(inputs),
           ocean_(sea, options),
-          jobs_(options.executor) {}
+          jobs_(options.executor),
+          water_jobs_(options.executor) {}
 
     template <class Work>
     val with_waves(Work work) {
@@ -608,6 +631,7 @@ class OceanBinding {
     std::vector<OceanInput> inputs_;
     Ocean ocean_;
     SurfaceQueryJobs jobs_;
+    WaterJobs water_jobs_;
     Frame frames_[2];
     int slot_ = 1;  ///< of the frame completed last
     std::vector<double> xs_, zs_;
@@ -631,6 +655,7 @@ EMSCRIPTEN_BINDINGS(ocean) {
         .function("hash", &OceanBinding::hash)
         .function("foamHash", &OceanBinding::foam_hash)
         .function("query", &OceanBinding::query)
+        .function("sampleWater", &OceanBinding::sample_water)
         .function("firstHit", &OceanBinding::first_hit)
         .function("setWaterFrame", &OceanBinding::set_water_frame)
         .function("scheduleSea", &OceanBinding::schedule_sea)

@@ -554,7 +554,15 @@ export interface ExactWaterOptions extends SeaOptions {
 /** Points with heights: x, y and z of each, in metres. */
 export type WaterPoints = ArrayLike<number> | [number, number, number][] | {x: number; y: number; z: number}[];
 
-/** Water at points. Above the surface all but the depths are 0. */
+/** How the water of a frame is sampled. */
+export interface WaterOptions extends QueryOptions {
+  /** Leaves out cascades that hold no wave of this length, metres. Default 0. */
+  footprintM?: number;
+  /** [500, 2000]. Default 1025. */
+  waterDensityKgpm3?: number;
+}
+
+/** Water at points. In the air the pressure is 0, and the motion that of the surface. */
 export interface WaterSamples {
   /** Below the surface above the point; negative in the air. */
   depthM: Float32Array;
@@ -647,6 +655,8 @@ export class Ocean {
 
   /** Samples the frame completed last. */
   query(points: Points, options?: QueryOptions): SurfaceSamples;
+  /** Samples the water. Throws without OceanOptions.depth, and for a point below the sea floor. */
+  sampleWater(points: WaterPoints, options?: WaterOptions): WaterSamples;
   /** Intersects a ray with the frame completed last. */
   firstHit(ray: Ray): Hit | null;
 
@@ -813,6 +823,8 @@ export class Frame implements FrameAbout {
   sprayHash(): string;
   /** Samples the surface at any points. Throws without OceanOptions.queries. */
   query(points: Points, options?: QueryOptions): SurfaceSamples;
+  /** Samples the water. Throws without OceanOptions.depth, and for a point below the sea floor. */
+  sampleWater(points: WaterPoints, options?: WaterOptions): WaterSamples;
   /**
    * Returns the first intersection of a ray with the surface. Throws without OceanOptions.queries.
    */

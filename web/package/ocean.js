@@ -1,6 +1,6 @@
 // An ocean and its frames. index.d.ts documents them; this file checks their validity.
 import { valueOf } from './module.js';
-import { flatPoints } from './points.js';
+import { flatPoints, flatWaterPoints } from './points.js';
 
 /** Returns the number of mip levels: resolution, resolution / 2, ..., 1 texels along a side. */
 export const levelCount = (resolution) => 32 - Math.clz32(resolution);
@@ -200,6 +200,11 @@ export class Frame {
     return Object.fromEntries(Object.entries(views).map(([name, view]) => [name, view.slice()]));
   }
 
+  sampleWater(points, options = {}) {
+    this.assertValid();
+    return valueOf(this.#native.sampleWater(this.#slot, flatWaterPoints(points), options));
+  }
+
   firstHit(ray) {
     this.assertValid();
     return valueOf(this.#native.firstHit(this.#slot, ray ?? {}));
@@ -294,6 +299,10 @@ export class Ocean {
 
   query(points, options) {
     return this.#newestFrame().query(points, options);
+  }
+
+  sampleWater(points, options) {
+    return this.#newestFrame().sampleWater(points, options);
   }
 
   firstHit(ray) {

@@ -1,7 +1,7 @@
 // The proxy of an ocean in a worker. Each method posts a message and returns a promise of the
 // result.
 import { mapNames, planeNames, Plane } from './ocean.js';
-import { flatPoints } from './points.js';
+import { flatPoints, flatWaterPoints } from './points.js';
 
 /** Calls of a worker's methods, by message. */
 class Line {
@@ -127,6 +127,10 @@ export class RemoteFrame {
     return this.#line.call('query', this.#number, flatPoints(points), options);
   }
 
+  async sampleWater(points, options) {
+    return this.#line.call('sampleWater', this.#number, flatWaterPoints(points), options);
+  }
+
   firstHit(ray) {
     return this.#line.call('firstHit', this.#number, ray);
   }
@@ -183,6 +187,10 @@ export class RemoteOcean {
 
   async query(points, options) {
     return this.#newestFrame().query(points, options);
+  }
+
+  async sampleWater(points, options) {
+    return this.#newestFrame().sampleWater(points, options);
   }
 
   async firstHit(ray) {

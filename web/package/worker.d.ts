@@ -1,7 +1,8 @@
 // Oceans in a worker: the interface of index.d.ts, with promises.
 import type {
   Bounds, CascadeAbout, CascadeMaps, Disturbance, Droplets, DynamicWavesOptions, DynamicWavesView, FrameAbout, Hit, OceanOptions, Points,
-  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SprayEmitter, SurfaceSamples, WaterFrame, WaveInput,
+  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SprayEmitter, SurfaceSamples, WaterFrame, WaterOptions,
+  WaterPoints, WaterSamples, WaveInput,
 } from './index.js';
 
 export { seaOptions, optionTables, presets, levelCount, levelOffset, Plane } from './index.js';
@@ -32,6 +33,7 @@ export class RemoteOcean {
   complete(): Promise<RemoteFrame>;
   frameAt(timeS: number): Promise<RemoteFrame>;
   query(points: Points, options?: QueryOptions): Promise<SurfaceSamples>;
+  sampleWater(points: WaterPoints, options?: WaterOptions): Promise<WaterSamples>;
   firstHit(ray: Ray): Promise<Hit | null>;
   setWaterFrame(water: WaterFrame): Promise<void>;
   setSprayCenter(xM: number, zM: number): Promise<void>;
@@ -80,6 +82,7 @@ export class RemoteFrame implements FrameAbout {
   droplets(): Promise<Droplets>;
   sprayHash(): Promise<string>;
   query(points: Points, options?: QueryOptions): Promise<SurfaceSamples>;
+  sampleWater(points: WaterPoints, options?: WaterOptions): Promise<WaterSamples>;
   firstHit(ray: Ray): Promise<Hit | null>;
 }
 

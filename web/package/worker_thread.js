@@ -78,6 +78,7 @@ const methods = {
   dynamicWavesOptions: () => ocean.dynamicWaves.options,
   setInput: (index, input) => ocean.setInput(index, input),
   query: (number, points, options) => frameOf(number).query(points, options),
+  sampleWater: (number, points, options) => frameOf(number).sampleWater(points, options),
   firstHit: (number, ray) => frameOf(number).firstHit(ray),
   setWaterFrame: (water) => ocean.setWaterFrame(water),
   changeSea: (options) => ocean.changeSea(options),
