@@ -111,7 +111,7 @@ int main() {
     const std::vector<glm::dvec3> vertices{{1, 1, 0}, {-1, 1, 1}, {-1, 1, -1}, {0, -1, 0}};
     const std::vector<HullMesh::Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     const Hull hull(HullMesh(vertices, triangles), {.mass_kg = 400});
-    Ocean ocean(SeaState{.resolution = 16}, {.queries = true, .velocities = true});
+    Ocean ocean(SeaState{.resolution = 16}, {.queries = true, .depth = true});
     FloatingBodies bodies(make_serial_executor());
     const std::uint32_t body = bodies.add(hull, hull.at_rest(0, 0));
     bodies.step(ocean.frame_at(0), 1.0 / 60);

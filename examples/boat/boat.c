@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
     waves.resolution = 512; /* 12 texels along the dinghy, and room for the ship */
     waves.side_m = 160;
     waves.border_m = 20;
-    options.queries = options.velocities = 1;
+    options.queries = options.depth = 1;
     options.dynamic_waves = &waves;
     with_wakes.wakes = 1;
     result = failed(pelagic_ocean_create(&storm, &options, &ocean)) ||

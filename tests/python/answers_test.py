@@ -182,6 +182,22 @@ def test_a_series_equals_queries_of_frames():
         assert not frame.is_alive and still.frame_at(2).is_alive and not frame.is_alive
 
 
+def test_velocities_are_those_of_the_drawn_surface_or_of_the_water():
+    sea, points = pelagic.Sea(resolution=64, patch_size_m=250), [[3.0, 4.0], [100.0, -20.0]]
+    found = {}
+    for velocities in (False, "none", True, "drawn", "water"):
+        with pelagic.Ocean(sea, velocities=velocities) as ocean:
+            frame = ocean.frame_at(9)
+            found[velocities] = frame.query(points).get("velocity")
+            if velocities not in (True, "drawn"):
+                with pytest.raises(ValueError, match="^the frame does not have it: create the ocean with velocities=True$"):
+                    frame.cascades[0].velocity_x
+    assert found[False] is None and found["none"] is None and (found[True] == found["drawn"]).all()
+    assert np.isfinite(found["water"]).all() and not np.allclose(found["water"], found["drawn"])
+    with pytest.raises(ValueError, match="^velocities is 'sum', expected True, False, none, drawn or water$"):
+        pelagic.Ocean(sea, velocities="sum")
+
+
 def test_a_signal_ends_a_series(small):
     class Interrupted(Exception):
         pass

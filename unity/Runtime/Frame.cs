@@ -177,7 +177,7 @@ namespace Pelagic
         public Plane Dx => new Plane(slot, number, Of.dx);
         public Plane Height => new Plane(slot, number, Of.height);
         public Plane Dz => new Plane(slot, number, Of.dz);
-        /// <summary>In m/s; with OceanOptions.Velocities.</summary>
+        /// <summary>In m/s; with Velocities.Drawn.</summary>
         public Plane VelocityX => new Plane(slot, number, Of.velocity_x);
         public Plane VelocityY => new Plane(slot, number, Of.velocity_y);
         public Plane VelocityZ => new Plane(slot, number, Of.velocity_z);

@@ -964,7 +964,7 @@ export interface CascadeMaps {
   readonly dx: Plane;
   readonly height: Plane;
   readonly dz: Plane;
-  /** Metres per second. Null without OceanOptions.velocities. */
+  /** Metres per second. Null unless OceanOptions.velocities is true or 'drawn'. */
   readonly velocityX: Plane | null;
   readonly velocityY: Plane | null;
   readonly velocityZ: Plane | null;
