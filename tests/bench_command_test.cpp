@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -12,6 +13,7 @@
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/test_paths.hpp"
 #include "pelagic/tools/benchmark/frame_timing.hpp"
+#include "pelagic/tools/benchmark/option_cost.hpp"
 #include "pelagic/tools/benchmark/stage_work.hpp"
 
 namespace pelagic {
@@ -233,6 +235,50 @@ TEST(HeadsetBench, PrintsItsRowsWithinAHundredColumns) {
     }
     EXPECT_EQ(rows, (std::vector<std::string>{"1x128 1", "1x128 2", "1x256 1", "1x256 2", "3x64 1", "3x64 2",
                                               "3x128 1", "3x128 2", "4x128 1", "4x128 2"}));
+}
+
+TEST(CostBench, HasARowForEachOptionWithItsMemory) {
+    const Outcome run = bench({"--cost", "--json", "-"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const json all = json::parse(run.out);
+    EXPECT_EQ(all.at("isa"), std::string(name_of(isas_here().back())));
+    std::vector<std::string> rows;
+    std::map<std::string, std::size_t> bytes;
+    for (const json& row : all.at("rows")) {
+        rows.push_back(row.at("option"));
+        bytes[rows.back()] = row.at("memory_bytes");
+        for (const std::string pace : {"warm", "rhythm"}) {
+            expect_in_order(row.at(pace + "_ms_quartiles"), row.at(pace + "_ms"));
+            EXPECT_GT(row.at(pace + "_ratio").get<double>(), 0) << rows.back();
+        }
+    }
+    EXPECT_EQ(rows, tools::cost_rows());
+    const json bare = all.at("rows").at(0), boat = all.at("rows").back();
+    EXPECT_EQ(bare.at("warm_ratio"), 1);
+    EXPECT_GT(boat.at("warm_ratio").get<double>(), 1) << "four options of which each adds to a frame";
+    const json info = json::parse(run_pelagic({"info", "--json"}).out);
+    EXPECT_EQ(bytes["bare"], info.at("computing").at("memory_bytes"));
+    for (const char* option : {"queries", "velocities drawn", "velocities water", "depth", "foam", "dynamic waves 256"})
+        EXPECT_GT(bytes[option], bytes["bare"]) << option;
+    EXPECT_GT(bytes["boat"], bytes["depth"]);
+}
+
+TEST(CostBench, PrintsItsRowsWithinAHundredColumns) {
+    const TemporaryFolder folder;
+    const Outcome run = bench({"--cost", "--json", (folder / "cost.json").string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(json::parse(read_file(folder / "cost.json")).at("rows").size(), tools::cost_rows().size());
+    std::istringstream lines(run.out);
+    std::string line;
+    std::getline(lines, line);  // the name of the processor has any length
+    std::vector<std::string> rows;
+    while (std::getline(lines, line)) {
+        EXPECT_LE(line.size(), 100u) << line;
+        if (const auto bar = line.find('|'); bar != std::string::npos)
+            rows.push_back(line.substr(0, line.find_last_not_of(' ', bar - 1) + 1));
+    }
+    rows.erase(rows.begin(), rows.begin() + 2);  // headings
+    EXPECT_EQ(rows, tools::cost_rows());
 }
 
 std::string megabytes(const json& bytes, const char* format) {

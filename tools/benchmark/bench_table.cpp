@@ -180,4 +180,21 @@ void print_headset_timings(const Timings& timings) {
     std::printf("docs/integrations/vr.md lists modelled times of a headset's cores.\n");
 }
 
+void print_option_costs(const std::string& sea, Isa isa, const std::vector<OptionCost>& costs) {
+    std::printf("%s, %s, %s, pelagic " PELAGIC_VERSION "\n\n", cpu_name().c_str(), compiler_name().c_str(),
+                std::string(name_of(isa)).c_str());
+    std::printf("Processor time of a frame of %s on one thread: ms, and ratio to a bare frame\n", sea.c_str());
+    std::printf("%-20s|%9s%8s |%9s%8s |%8s\n", "", "warm", "", "72 Hz", "", "memory");
+    std::printf("%-20s|%9s%8s |%9s%8s |%8s\n", "option", "ms", "ratio", "ms", "ratio", "MB");
+    for (const OptionCost& cost : costs)
+        std::printf("%-20s|%9.3f%8.2f |%9.3f%8.2f |%8.2f\n", cost.name.c_str(), cost.warm_ms.median,
+                    cost.warm_ms.median / costs.front().warm_ms.median, cost.rhythm_ms.median,
+                    cost.rhythm_ms.median / costs.front().rhythm_ms.median,
+                    static_cast<double>(cost.memory_bytes) / 1e6);
+    std::printf("\nwarm: frames one after another; 72 Hz: a frame each %.1f ms, and sleep in between\n",
+                headset_period_ms);
+    std::printf("hull, 1,000 heights: a step of a dinghy and a query alone, in oceans with what they need\n");
+    std::printf("boat: velocities water, depth, foam, dynamic waves 256, a dinghy with its wake, 1,000 heights\n");
+}
+
 }  // namespace pelagic::tools

@@ -28,14 +28,6 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-Quartiles quartiles_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const auto at = [&](double fraction) {
-        return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1) + 0.5)];
-    };
-    return {at(0.5), at(0.25), at(0.75)};
-}
-
 std::unique_ptr<Ocean> ocean_of(const SeaState& sea, Isa isa, int threads, bool planes,
                                 std::shared_ptr<TraceSink> trace = {}) {
     return std::make_unique<Ocean>(
@@ -221,6 +213,14 @@ std::vector<Round> rounds_of(const TimingPlan& plan) {
 }
 
 }  // namespace
+
+Quartiles quartiles_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double fraction) {
+        return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1) + 0.5)];
+    };
+    return {at(0.5), at(0.25), at(0.75)};
+}
 
 std::vector<int> thread_counts(int max) {
     std::vector<int> counts;

@@ -30,6 +30,9 @@ struct Quartiles {
     double median, low, high;
 };
 
+/// \pre there are values
+Quartiles quartiles_of(std::vector<double> values);
+
 /// Timing of a job of a frame, summed over all cascades.
 struct JobTiming {
     std::string job;

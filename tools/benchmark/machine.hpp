@@ -1,4 +1,4 @@
-// Names of the processor and the compiler, and sizes of caches, for benchmark results.
+// Names of the processor and the compiler, sizes of caches, and processor time, for benchmarks.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,9 @@ std::string cpu_name();
 /// Returns the sizes of the data caches of the first core, in bytes, from the first level on. Empty
 /// if the system does not report them.
 std::vector<std::size_t> cache_sizes();
+
+/// Returns the processor time of the calling thread in seconds. On Windows it advances in steps of 15 ms.
+double thread_seconds();
 
 /// Returns the name of the compiler of this program.
 inline std::string compiler_name() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <ctime>
 #include <fstream>
 #include <string_view>
 
@@ -50,6 +51,12 @@ std::vector<std::size_t> cache_sizes() {
         if (!(std::ifstream(folder + "type") >> type) || !(std::ifstream(folder + "size") >> kib)) return sizes;
         if (type != "Instruction") sizes.push_back(kib * 1024);
     }
+}
+
+double thread_seconds() {
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace pelagic::tools

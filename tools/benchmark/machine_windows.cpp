@@ -39,4 +39,13 @@ std::vector<std::size_t> cache_sizes() {
     return sizes;
 }
 
+double thread_seconds() {
+    FILETIME created{}, ended{}, kernel{}, user{};
+    GetThreadTimes(GetCurrentThread(), &created, &ended, &kernel, &user);
+    const auto seconds = [](const FILETIME& time) {  // in units of 100 ns
+        return 429.4967296 * time.dwHighDateTime + 1e-7 * time.dwLowDateTime;
+    };
+    return seconds(kernel) + seconds(user);
+}
+
 }  // namespace pelagic::tools

@@ -15,6 +15,7 @@
 #include "pelagic/tools/benchmark/frame_timing.hpp"
 #include "pelagic/tools/benchmark/machine.hpp"
 #include "pelagic/tools/benchmark/memory_levels.hpp"
+#include "pelagic/tools/benchmark/option_cost.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
@@ -99,6 +100,21 @@ Json timings_as_json(const Timings& timings, const std::vector<MemoryLevel>& lev
     return json;
 }
 
+Json costs_as_json(const CostPlan& plan, const std::vector<OptionCost>& costs) {
+    Json rows = Json::array();
+    for (const OptionCost& cost : costs)
+        rows.push_back({{"option", cost.name},
+                        {"warm_ms", cost.warm_ms.median},
+                        {"warm_ms_quartiles", {cost.warm_ms.low, cost.warm_ms.high}},
+                        {"rhythm_ms", cost.rhythm_ms.median},
+                        {"rhythm_ms_quartiles", {cost.rhythm_ms.low, cost.rhythm_ms.high}},
+                        {"warm_ratio", cost.warm_ms.median / costs.front().warm_ms.median},
+                        {"rhythm_ratio", cost.rhythm_ms.median / costs.front().rhythm_ms.median},
+                        {"memory_bytes", cost.memory_bytes}});
+    return {{"version", PELAGIC_VERSION}, {"cpu", cpu_name()},         {"compiler", compiler_name()},
+            {"isa", name_of(plan.isa)},   {"period_ms", headset_period_ms}, {"rows", rows}};
+}
+
 class BenchCommand final : public Command {
    public:
     void add_options(CLI::App& app) override;
@@ -107,9 +123,12 @@ class BenchCommand final : public Command {
 
    private:
     TimingPlan resolve() const;
+    CostPlan resolve_cost() const;
+    /// Measures the cost of options. Throws InputError and FileError.
+    void run_cost();
 
     std::optional<std::string> sizes_, seconds_, json_, bytes_;
-    bool headset_ = false, textures_only_ = false;
+    bool headset_ = false, textures_only_ = false, cost_ = false;
     ComputeFlags compute_;
 };
 
@@ -121,6 +140,9 @@ void BenchCommand::add_options(CLI::App& app) {
     app.add_option("--seconds", seconds_, std::string("measuring time; ") + seconds_range + " (default: 30)")
         ->type_name("SECONDS");
     app.add_flag("--headset", headset_, "measure seas for a headset on 1, 2 and 3 threads; excludes --sizes");
+    app.add_flag("--cost", cost_,
+                 "measure processor time and memory of the default sea by option, on one thread; excludes the other "
+                 "options of what is measured");
     app.add_option("--bytes", bytes_,
                    "measure the copy speed of each cache, beside the bytes that a frame moves there by the counts of "
                    "this file; excludes --headset")
@@ -160,7 +182,40 @@ TimingPlan BenchCommand::resolve() const {
     return plan;
 }
 
+CostPlan BenchCommand::resolve_cost() const {
+    if (headset_) throw InputError("--headset cannot be combined with --cost");
+    if (sizes_) throw InputError("--sizes cannot be combined with --cost");
+    if (bytes_) throw InputError("--bytes cannot be combined with --cost");
+    if (textures_only_) throw InputError("--textures-only cannot be combined with --cost");
+    const ComputeOptions compute = compute_.resolve();
+    if (compute.threads > 1) throw InputError("--threads cannot be combined with --cost, which measures one thread");
+    CostPlan plan{.isa = compute_.names_isa() ? *compute.isa : isas_here().back()};
+    if (seconds_) plan.seconds = number_in("--seconds", *seconds_, 0.1, 3600, seconds_range);
+    return plan;
+}
+
+void BenchCommand::run_cost() {
+    const CostPlan plan = resolve_cost();
+    const bool prints_json = json_ == "-";
+    const std::optional<OutputFile> file = prints_json ? std::nullopt : file_for("--json", json_);
+    std::vector<OptionCost> costs;
+    {
+        Progress progress;
+        costs = measure_option_costs(plan, [&](const std::string& row, double fraction) { progress.show(row, fraction); });
+    }
+    if (prints_json || file) {
+        const std::string text = costs_as_json(plan, costs).dump(2) + "\n";
+        if (file) file->write(text);
+        if (prints_json) {
+            std::printf("%s", text.c_str());
+            return;
+        }
+    }
+    print_option_costs("the default sea, 4x128", plan.isa, costs);
+}
+
 void BenchCommand::run() {
+    if (cost_) return run_cost();
     const TimingPlan plan = resolve();
     const bool prints_json = json_ == "-";
     const std::optional<OutputFile> file = prints_json ? std::nullopt : file_for("--json", json_);
