@@ -258,7 +258,8 @@ TEST(CostBench, HasARowForEachOptionWithItsMemory) {
     EXPECT_GT(boat.at("warm_ratio").get<double>(), 1) << "four options of which each adds to a frame";
     const json info = json::parse(run_pelagic({"info", "--json"}).out);
     EXPECT_EQ(bytes["bare"], info.at("computing").at("memory_bytes"));
-    for (const char* option : {"queries", "velocities drawn", "velocities water", "depth", "foam", "dynamic waves 256"})
+    for (const char* option :
+         {"queries", "velocities drawn", "velocities water", "depth", "foam", "dynamic waves 256"})
         EXPECT_GT(bytes[option], bytes["bare"]) << option;
     EXPECT_GT(bytes["boat"], bytes["depth"]);
 }

@@ -68,7 +68,8 @@ pelagic_ocean_options with_depth() {
 TEST(CInterfaceWater, EqualsWaterQuery) {
     const Points points(600);
     const COcean ocean = ocean_of(stack_sea(3), with_depth());
-    Ocean ours({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor(), .queries = true, .depth = true});
+    Ocean ours({.cascades = 3, .resolution = 32},
+               {.executor = make_serial_executor(), .queries = true, .depth = true});
     const Frame& frame = ours.frame_at(7);
     complete(ocean, 7);
     for (const std::int32_t interpolation : {PELAGIC_INTERPOLATION_LINEAR, PELAGIC_INTERPOLATION_CUBIC})
@@ -114,7 +115,8 @@ TEST(CInterfaceWater, IsThatOfAFrameByItsNumber) {
 TEST(CInterfaceWater, PositionsThatAreNotFiniteHaveTheQuietNan) {
     const COcean ocean = ocean_of(stack_sea(2), with_depth());
     complete(ocean, 0);
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr std::array<double, 4> x = {nan, 0, 0, 0}, y = {-1, infinity, -1, -1}, z = {0, 0, -infinity, 0};
     auto where = pelagic_water_points_make();
     where.count = 4, where.x = x.data(), where.y = y.data(), where.z = z.data();
@@ -149,7 +151,8 @@ TEST(CInterfaceWater, ErrorsAreOneLine) {
         expect_rejected(pelagic_ocean_sample_water(ocean.get(), &bad, &to), line);
     };
     const double deep = -4001;
-    rejects([&](auto& bad) { bad.count = 1, bad.y = &deep; }, "y[0] is -4001, expected at least -4000, the sea floor");
+    rejects([&](auto& bad) { bad.count = 1, bad.y = &deep; },
+            "y[0] is -4001, expected at least -4000, the sea floor");
     rejects([](auto& bad) { bad.z = nullptr; }, "points.z is NULL, expected a pointer");
     rejects([](auto& bad) { bad.interpolation = 2; },
             "points.interpolation is 2, expected PELAGIC_INTERPOLATION_LINEAR (0) or _CUBIC (1)");

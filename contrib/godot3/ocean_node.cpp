@@ -30,7 +30,8 @@ bool is_server() {
 Value vectors_of(const std::vector<float>(&components)[3]) {
     Pool<Vector3> pool(components[0].size());
     pool.fill([&](std::span<Vector3> room) {
-        for (std::size_t i = 0; i < room.size(); ++i) room[i] = {components[0][i], components[1][i], components[2][i]};
+        for (std::size_t i = 0; i < room.size(); ++i)
+            room[i] = {components[0][i], components[1][i], components[2][i]};
     });
     return pool.value();
 }

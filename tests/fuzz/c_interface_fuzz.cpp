@@ -260,7 +260,8 @@ void any_query(Bytes& bytes, pelagic_ocean* ocean) {
     water_points.x = points.x, water_points.y = points.z, water_points.z = points.x;
     water_points.tolerance_m = points.tolerance_m, water_points.footprint_m = times_s[0];
     auto water = pelagic_water_samples_make();
-    water.depth_m = out[0], water.pressure_pa = out[1], water.velocity_x_mps = out[2], water.acceleration_y_mps2 = out[3];
+    water.depth_m = out[0], water.pressure_pa = out[1];
+    water.velocity_x_mps = out[2], water.acceleration_y_mps2 = out[3];
     must_be_a_status(pelagic_ocean_sample_water(ocean, &water_points, &water));
 }
 

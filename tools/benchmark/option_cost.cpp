@@ -63,7 +63,8 @@ struct SpiralPositions {
     std::vector<double> x, z;
     SpiralPositions() {
         for (std::size_t i = 0; i < height_count; ++i) {
-            const double turn = 2.4 * static_cast<double>(i), away_m = 200 * std::sqrt(static_cast<double>(i) / height_count);
+            const double turn = 2.4 * static_cast<double>(i);
+            const double away_m = 200 * std::sqrt(static_cast<double>(i) / height_count);
             x.push_back(away_m * std::cos(turn));
             z.push_back(away_m * std::sin(turn));
         }

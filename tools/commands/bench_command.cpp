@@ -201,7 +201,8 @@ void BenchCommand::run_cost() {
     std::vector<OptionCost> costs;
     {
         Progress progress;
-        costs = measure_option_costs(plan, [&](const std::string& row, double fraction) { progress.show(row, fraction); });
+        costs = measure_option_costs(
+            plan, [&](const std::string& row, double fraction) { progress.show(row, fraction); });
     }
     if (prints_json || file) {
         const std::string text = costs_as_json(plan, costs).dump(2) + "\n";

@@ -23,8 +23,8 @@ namespace Pelagic
         private static readonly WaterCall.Function frameWater = Native.pelagic_ocean_sample_water;
 
         /// <summary>
-        /// Samples the water of the frame completed last at points in the world, none of them below the sea floor; with
-        /// OceanOptions.Depth. Threads as Query(). Allocates nothing.
+        /// Samples the water of the frame completed last at points in the world, none of them below the sea floor;
+        /// with OceanOptions.Depth. Threads as Query(). Allocates nothing.
         /// </summary>
         public void SampleWater(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, WaterSamples samples,
                                 Interpolation interpolation = Interpolation.Linear, double waterDensityKgpm3 = 1025)

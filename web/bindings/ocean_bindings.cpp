@@ -194,7 +194,8 @@ SurfaceQueryOptions query_options_of(const val& tolerance_m, const val& interpol
         : interpolation.isString()  ? value_named<Interpolation>(interpolation.as<std::string>())
                                     : std::nullopt;
     if (!named)
-        throw std::invalid_argument(invalid_value_message("interpolation", text_of(interpolation), "linear or cubic"));
+        throw std::invalid_argument(
+            invalid_value_message("interpolation", text_of(interpolation), "linear or cubic"));
     return {.tolerance_m = tolerance, .interpolation = *named};
 }
 

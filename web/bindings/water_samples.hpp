@@ -12,11 +12,13 @@
 namespace pelagic::web {
 
 inline emscripten::val array_of(const std::vector<float>& numbers) {
-    return emscripten::val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<emscripten::val>("slice");
+    const emscripten::val view(emscripten::typed_memory_view(numbers.size(), numbers.data()));
+    return view.call<emscripten::val>("slice");
 }
 
 /// Returns x, y, z of each point.
-inline emscripten::val vectors_of(const std::vector<float>& x, const std::vector<float>& y, const std::vector<float>& z) {
+inline emscripten::val vectors_of(const std::vector<float>& x, const std::vector<float>& y,
+                                  const std::vector<float>& z) {
     std::vector<float> vectors;
     vectors.reserve(3 * x.size());
     for (std::size_t i = 0; i < x.size(); ++i) vectors.insert(vectors.end(), {x[i], y[i], z[i]});

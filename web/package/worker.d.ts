@@ -1,8 +1,8 @@
 // Oceans in a worker: the interface of index.d.ts, with promises.
 import type {
   Bounds, CascadeAbout, CascadeMaps, Disturbance, Droplets, DynamicWavesOptions, DynamicWavesView, FrameAbout, Hit, OceanOptions, Points,
-  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SprayEmitter, SurfaceSamples, WaterFrame, WaterOptions,
-  WaterPoints, WaterSamples, WaveInput,
+  QueryOptions, Rain, Ray, SeaOptions, SeaStatistics, ShoreSurface, SprayEmitter, SurfaceSamples, WaterFrame,
+  WaterOptions, WaterPoints, WaterSamples, WaveInput,
 } from './index.js';
 
 export { seaOptions, optionTables, presets, levelCount, levelOffset, Plane } from './index.js';
