@@ -415,7 +415,7 @@ typedef struct pelagic_ocean_options {
     /* PELAGIC_VELOCITIES_...; velocities of frames and queries. Drawn: the derivatives of the drawn displacement
      * in time, in planes of 12 N^2 bytes for each cascade of a frame, with about twice as many transforms. Water:
      * the water's own at the surface by linear theory, for queries, with a quarter of the transforms more; waves
-     * shorter than six texels are left out. */
+     * shorter than four texels are left out. */
     int32_t velocities;
     /* Nonzero adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade of a
      * frame, and about two thirds more transforms. It does not combine with waves pond. */

@@ -18,7 +18,9 @@ inline Hull hull_of(DriftingHull kind) {
         case DriftingHull::boat: return Hull(boat_mesh(8, 2.6, 1.4), {.mass_kg = 6000});
         case DriftingHull::spar:
             return Hull(cylinder_mesh(2.5, 31, 28, 24),
-                        {.mass_kg = 518'891, .centre_of_mass_m = glm::dvec3(0, -5.1, 0)});
+                        {.mass_kg = 518'891,
+                         .centre_of_mass_m = glm::dvec3(0, -5.1, 0),
+                         .heave_damping = 0.2});  // its waves would damp it for minutes
         case DriftingHull::barge: return Hull(box_mesh({40, 5, 12}, 4), {.mass_kg = 1e6});
     }
     return Hull(box_mesh({1, 1, 1}), {.mass_kg = 1});

@@ -93,7 +93,7 @@ class Ocean:
         velocities: velocities of frames and queries. Drawn: the derivatives of the drawn
             displacement in time, in planes of 12 N^2 bytes for each cascade of a frame, with
             about twice as many transforms. Water: the water's own at the surface by linear
-            theory, for queries, with a quarter of the transforms more; waves shorter than six
+            theory, for queries, with a quarter of the transforms more; waves shorter than four
             texels are left out.
         depth: adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for
             each cascade of a frame, and about two thirds more transforms. It does not combine

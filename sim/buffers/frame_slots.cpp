@@ -62,7 +62,7 @@ CascadeBuffers::CascadeBuffers(bool is_one, int n, std::size_t lanes, const Fram
       slopes(contents.slopes ? mip_offset(n, mip_levels(n)) : 0, memory),
       moments(slopes.size(), memory),
       compression(contents.foam ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0, memory) {
-    if (contents.has_water_levels()) water.emplace(memory);
+    if (contents.has_water_levels()) water = std::make_unique<WaterPlanes>(memory);
     if (contents.queries && is_one) folds.emplace(n, memory);
     if (contents.queries && !is_one) contraction.emplace(n, memory);
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,7 +32,7 @@ struct CascadeBuffers {
     AlignedBuffer<float> surface;
     /// Time derivative of `surface`, if FrameContents::has_drawn_velocities().
     AlignedBuffer<float> velocity;
-    std::optional<WaterPlanes> water;           ///< if FrameContents::has_water_levels()
+    std::unique_ptr<WaterPlanes> water;         ///< if FrameContents::has_water_levels()
     std::optional<FoldMap> folds;               ///< if FrameContents::queries, of one cascade
     std::optional<ContractionMap> contraction;  ///< if FrameContents::queries, else
     AlignedBuffer<std::uint16_t> rgba16f;

@@ -44,7 +44,7 @@ SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const K
       plane_bounds_(column_block_pairs(resolution_, kernels_.lanes)),
       velocity_bounds_(slots_.contents().has_drawn_velocities() ? plane_bounds_.size() : 0) {
     if (slots_.contents().has_water_levels())
-        levels_.emplace(resolution_, slots_.contents().depth, kernels_, slots_.memory());
+        levels_ = std::make_unique<WaterLevelRuns>(resolution_, slots_.contents().depth, kernels_, slots_.memory());
 }
 
 void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
@@ -192,8 +192,8 @@ void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& pla
                        {},
                        {}});
     if (!levels_) return;
-    bake_->water = levels_->layout_of(plan, water_depth_m(sea));
-    bake_->of_levels = levels_->empty_spectra(bake_->water);
+    bake_->water = std::make_unique<WaterLayout>(levels_->layout_of(plan, water_depth_m(sea)));
+    bake_->of_levels = levels_->empty_spectra(*bake_->water);
 }
 
 LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t entry) {
@@ -208,7 +208,7 @@ LineStatistics SpectralCascade::adopt_spectrum(std::size_t number, std::size_t e
     seas_[entry].emplace(Waves{number, sea.choppiness, std::move(bake_->spectrum), all, std::move(by_band),
                                slope_ranges(all.mean_square_slope, all.mean_square_convergence),
                                std::move(bake_->of_levels)});
-    if (levels_) levels_->set_layout(bake_->water);
+    if (levels_) levels_->set_layout(*bake_->water);
     bake_.reset();
     return all;
 }
@@ -221,7 +221,7 @@ void SpectralCascade::spectrum(std::size_t line) {
 
 void SpectralCascade::bake_levels(std::size_t grid) {
     if (grid < bake_->of_levels.size())
-        levels_->bake(bake_->spectrum, plan_, bake_->plan, water_depth_m(bake_->sea), bake_->water.levels.grids[grid],
+        levels_->bake(bake_->spectrum, plan_, bake_->plan, water_depth_m(bake_->sea), bake_->water->levels.grids[grid],
                       bake_->of_levels[grid]);
 }
 
@@ -280,7 +280,7 @@ std::size_t SpectralCascade::bytes() const {
             for (const WaterLevelRuns::GridSpectra& of : waves->of_levels)
                 bytes += of.velocity.bytes() + (of.head ? of.head->bytes() : 0);
         }
-    if (levels_) bytes += levels_->bytes();
+    if (levels_) bytes += sizeof(WaterLevelRuns) + levels_->bytes();
     for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();
     return bytes;
 }

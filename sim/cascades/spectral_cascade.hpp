@@ -112,12 +112,12 @@ class SpectralCascade final : public SeaSource, public ColumnSource {
         PackedSpectrum spectrum;
         std::vector<LineStatistics> lines;
         std::vector<StatisticsByBand> lines_by_band;
-        WaterLayout water;
+        std::unique_ptr<WaterLayout> water;
         WaterLevelRuns::Spectra of_levels;
     };
     std::optional<Bake> bake_, staged_;
 
-    std::optional<WaterLevelRuns> levels_;  ///< if FrameContents::has_water_levels()
+    std::unique_ptr<WaterLevelRuns> levels_;  ///< if FrameContents::has_water_levels()
 
     std::vector<FrameBounds> plane_bounds_;     ///< of each pair of column blocks
     std::vector<FrameBounds> velocity_bounds_;  ///< written by the kernel and not read

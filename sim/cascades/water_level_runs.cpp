@@ -14,8 +14,9 @@
 namespace pelagic {
 namespace {
 
-/// Shortest wave of the velocity at the surface, in texels of the cascade.
-constexpr double shortest_of_velocity = 6;
+/// Shortest wave of the velocity at the surface, in texels of the cascade. Waves of fewer than six are
+/// interpolated badly, but stacks hold much of their energy: without them velocities would be too small.
+constexpr double shortest_of_velocity = 4.2;
 /// Depth of the first velocity below the surface, and shortest waves of the fits between levels, in texels.
 constexpr double first_velocity = 6, shortest_of_velocity_fit = 16, shortest_of_head_fit = 8;
 /// A level replaces the bottom's if it lies higher than this part of the water's depth.

@@ -299,7 +299,7 @@ void QueryCommand::add_options(CLI::App& app) {
                    "at points of the undisplaced water (default: cubic)")
         ->type_name(alternatives(names_of<QueryMethod>()));
     app.add_option("--velocities", velocities_,
-                   "drawn: of the drawn surface; water: the water's own, without waves of less than six texels "
+                   "drawn: of the drawn surface; water: the water's own, without waves of less than four texels "
                    "(default: drawn)")
         ->type_name("drawn|water");
 

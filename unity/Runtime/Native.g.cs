@@ -815,7 +815,7 @@ namespace Pelagic
         /// Velocities; velocities of frames and queries. Drawn: the derivatives of the drawn displacement
         /// in time, in planes of 12 N^2 bytes for each cascade of a frame, with about twice as many transforms. Water:
         /// the water's own at the surface by linear theory, for queries, with a quarter of the transforms more; waves
-        /// shorter than six texels are left out.
+        /// shorter than four texels are left out.
         /// </summary>
         public Velocities Velocities;
         /// <summary>
