@@ -299,7 +299,7 @@ TEST(CInterfaceGolden, Bodies) {
 
     const pelagic_dynamic_waves_options grid = golden_grid(32, 4);
     auto with_waves = pelagic_ocean_options_make();
-    with_waves.queries = with_waves.velocities = 1;
+    with_waves.queries = with_waves.depth = 1;
     with_waves.dynamic_waves = &grid;
     const COcean ocean = ocean_of(golden_sea(), with_waves);
     auto wakes = pelagic_bodies_options_make();

@@ -544,6 +544,7 @@ std::string first_non_finite(const pelagic_hull* hull, const pelagic_hull_state&
     const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(PELAGIC_DYNAMIC_WAVES_SPECTRAL);
     pelagic_ocean_options options = all_options();
     options.foam = 0;
+    options.depth = 1;
     options.dynamic_waves = &dynamic_waves;
     const COcean ocean = ocean_of(small_sea(), options);
     auto with_wakes = pelagic_bodies_options_make();

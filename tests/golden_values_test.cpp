@@ -181,7 +181,7 @@ TEST_P(GoldenValues, OfBodies) {
     Ocean ocean(golden_sea, {.executor = GetParam().executor(),
                              .isa = GetParam().isa,
                              .queries = true,
-                             .velocities = Velocities::drawn,
+                             .depth = true,
                              .dynamic_waves = DynamicWavesOptions{.resolution = 64, .side_m = 32, .border_m = 4}});
     FloatingBodies floating(GetParam().executor(), &ocean.dynamic_waves());
     floating.add(hull, hull.at_rest(1, -2, 0.25));

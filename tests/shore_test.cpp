@@ -217,8 +217,8 @@ TEST(Shore, WeightsFoldedCascadesToo) {
         differ +=
             !(std::fabs(height[i] - expected_height[i]) < 2e-3f && std::fabs(normal[i] - expected_normal[i]) < 2e-2f);
     }
-    // The sum of contractions is above the fold limit; otherwise the iteration alone would pass.
-    EXPECT_GT(contracted, 1.3);
+    // The sum of contractions is above the fold limit, 1; otherwise the iteration alone would pass.
+    EXPECT_GT(contracted, 1.2);
     EXPECT_LE(differ, 6);
 }
 
