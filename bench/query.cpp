@@ -33,7 +33,8 @@ SeaState several_cascades(int cascades) { return {.cascades = cascades, .resolut
 struct Scene {
     Scene(int resolution, Isa isa, bool coherent) : Scene(one_cascade(resolution), isa, coherent) {}
     Scene(const SeaState& sea, Isa isa, bool coherent)
-        : ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = Velocities::drawn}),
+        : ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true,
+                      .velocities = Velocities::drawn}),
           frame(ocean.frame_at(1)),
           query(frame),
           x(count),
@@ -128,8 +129,10 @@ void time_ray(benchmark::State& state, const SeaState& sea, Isa isa) {
 }
 
 /// Times frames with data for queries, for comparison with the results of stages.cpp.
-void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool queries, Velocities velocities, bool depth) {
-    Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities, .depth = depth});
+void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool queries, Velocities velocities,
+                bool depth) {
+    Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities,
+                      .depth = depth});
     double time_s = 0;
     for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).cascades[0].height.data);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ocean.cascade_count()) *

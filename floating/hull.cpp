@@ -188,7 +188,8 @@ void Hull::divide_triangles() {
     const glm::dvec3 size = mesh_.upper_m() - mesh_.lower_m();
     double longest_m = longest_over_length * std::max(std::max(size.x, size.y), size.z);
     footprint_m_ = 2 * longest_m;
-    const auto divided = [&](double limit_m, std::vector<glm::dvec3>& arms, std::vector<HullMesh::Triangle>& triangles) {
+    const auto divided = [&](double limit_m, std::vector<glm::dvec3>& arms,
+                             std::vector<HullMesh::Triangle>& triangles) {
         for (bool is_done = false; !is_done;) {
             is_done = true;
             std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;

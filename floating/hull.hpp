@@ -183,6 +183,7 @@ struct HullWorkspace {
     };
     std::vector<Vertex> vertices;
 
+    /// Removes all points.
     void clear();
     /// Samples the water at (x, y, z).
     void sample(const WaterKinematics& water);

@@ -92,7 +92,8 @@ TEST(Allocation, QueriesAndQueryableFramesDoNotAllocate) {
                                         {make_serial_executor(), steep_cascades},
                                         {make_thread_executor(3), steep_cascades},
                                         {make_thread_executor(3), pond}}) {
-        Ocean ocean(sea, {.executor = executor, .queries = true, .velocities = Velocities::drawn, .slopes = true, .foam = true});
+        Ocean ocean(sea, {.executor = executor, .queries = true, .velocities = Velocities::drawn, .slopes = true,
+                          .foam = true});
         SurfaceQueryJobs jobs(executor);
         std::vector<double> x(3000), z(3000);
         std::vector<float> height(3000), velocity(3000), normal(3000), foam(3000);
@@ -118,7 +119,8 @@ TEST(Allocation, WaveInputsDoNotAllocateInFrames) {
         const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 5, .amplitude_m = 0.2});
         const auto zeros = std::make_shared<CallbackInput>([](const InputRows&) {});
         Ocean ocean({.resolution = 128},
-                    {.executor = executor, .velocities = Velocities::drawn, .foam = true, .inputs = {waves, none, rings, zeros}});
+                    {.executor = executor, .velocities = Velocities::drawn, .foam = true, .inputs = {waves, none,
+                                                                                                     rings, zeros}});
         ocean.frame_at(0);
         waves->set(analytic_sea({.waves = 64}));
         rings->set({.x_m = 30, .wavelength_m = 40, .amplitude_m = 1});

@@ -47,7 +47,8 @@ const SeaState crowded{.waves = WaveModel::analytic,
                        .wave_strength = 0};
 const SeaState pond{.waves = WaveModel::pond, .resolution = 64, .wind_direction_rad = 1};
 
-OceanOptions everything() { return {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn}; }
+OceanOptions everything() { return {.executor = make_serial_executor(), .queries = true,
+                                    .velocities = Velocities::drawn}; }
 
 double amplitudes_of(const PlaneWaves& sea) {
     double sum = 0;

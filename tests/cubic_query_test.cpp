@@ -224,7 +224,8 @@ TEST(CubicQuery, MatchesTheOracle) {
         for (const int n : {16, 64}) {
             SCOPED_TRACE(std::to_string(n) + "^2 texels");
             Ocean ocean({.resolution = n, .patch_size_m = 250, .choppiness = 1},
-                        {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = Velocities::drawn});
+                        {.executor = make_serial_executor(), .isa = isa, .queries = true,
+                         .velocities = Velocities::drawn});
             expect_as_cubic_oracle(ocean.frame_at(3), random_points(is_sanitized ? 20 : 300, 1000, 4), false, folded);
         }
 }

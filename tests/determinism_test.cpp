@@ -90,7 +90,8 @@ const SeaState pond{.waves = WaveModel::pond, .resolution = 64};
 std::unique_ptr<Ocean> queryable_ocean(const SeaState& sea, Isa isa = choose_isa(),
                                        std::shared_ptr<Executor> executor = make_serial_executor()) {
     return std::make_unique<Ocean>(
-        sea, OceanOptions{.executor = std::move(executor), .isa = isa, .queries = true, .velocities = Velocities::drawn});
+        sea, OceanOptions{.executor = std::move(executor), .isa = isa, .queries = true,
+                          .velocities = Velocities::drawn});
 }
 
 PointSamples samples_at(const SeaState& sea, double time_s, Isa isa, const QueryPoints& points,

@@ -21,7 +21,8 @@ const DynamicWavesOptions small{.resolution = 64, .side_m = 32, .border_m = 6, .
 const SeaState breeze{.cascades = 2, .resolution = 32, .wind_speed_mps = 6, .loop_period_s = 20};
 
 OceanOptions with_dynamic_waves(Isa isa = choose_isa(), std::shared_ptr<Executor> executor = make_serial_executor()) {
-    return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = Velocities::drawn, .dynamic_waves = small};
+    return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = Velocities::drawn,
+            .dynamic_waves = small};
 }
 
 const Disturbance boat{

@@ -135,7 +135,8 @@ TEST(FrameOnAFiber, FramesAndQueriesFitIntoASmallStack) {
         std::vector<float> heights(2000), foam(2000);
         const auto make_frames = [&] {
             Ocean ocean(forecast,
-                        {.executor = executor, .queries = true, .velocities = Velocities::drawn, .slopes = true, .foam = true});
+                        {.executor = executor, .queries = true, .velocities = Velocities::drawn, .slopes = true,
+                         .foam = true});
             ocean.schedule_sea({.sea = later, .from_s = 0.1, .over_s = 0.1});
             for (const double time_s : {0., 0.15}) {
                 const Frame& frame = ocean.frame_at(time_s);

@@ -128,7 +128,8 @@ TEST(HullResponse, FramesAndExactWaterMoveASparAlike) {
     const Hull hull = spar.hull();
     for (const double wavelength_m : {300.0, 60.0, 40.0}) {
         const double expected = head_seas(hull, wavelength_m, 40).heave;
-        EXPECT_NEAR(head_seas_in_frames(hull, wavelength_m, 40).heave, expected, 0.02 * expected + 0.005) << wavelength_m;
+        EXPECT_NEAR(head_seas_in_frames(hull, wavelength_m, 40).heave, expected,
+                    0.02 * expected + 0.005) << wavelength_m;
         EXPECT_NEAR(head_seas_in_exact_water(hull, wavelength_m, 40).heave, expected, 0.02 * expected + 0.005)
             << wavelength_m;
     }
@@ -159,7 +160,8 @@ TEST(HullResponse, ABargeMovesAsJensensClosedForms) {
     for (const double ratio : {0.75, 1.0, 1.25, 1.5, 2.0, 4.0, 10.0}) {
         SCOPED_TRACE(ratio);
         const ClosedForm expected(length_m, beam_m, draught_m, ratio * length_m);
-        const HeadSeas of_coarse = head_seas(coarse, ratio * length_m, 20), of_fine = head_seas(fine, ratio * length_m, 20);
+        const HeadSeas of_coarse = head_seas(coarse, ratio * length_m, 20), of_fine = head_seas(fine,
+                                                                                                ratio * length_m, 20);
         EXPECT_NEAR(of_fine.heave, expected.heave, std::max(0.1 * expected.heave, 0.03));
         EXPECT_NEAR(of_fine.pitch, expected.pitch, 0.25 * expected.pitch);
         EXPECT_NEAR(of_coarse.heave, of_fine.heave, std::max(0.03 * of_fine.heave, 0.02));

@@ -143,7 +143,7 @@ TEST_F(MisuseTest, HullsKeepToTheirArrays) {
     const std::vector<double> three(3), two(2);
     std::vector<float> heights(3), few(2);
     const Frame& frame = ocean_.frame_at(0);
-    const auto sizes = "x, z, height_m, velocity_y_mps and wake_m differ in length";
+    const auto sizes = "x, z, height_m, velocity_y_mps, wake_m and wake_up_mps differ in length";
     EXPECT_EQ(invalid([&] { wake.leave_out(frame, three, two, heights, heights); }), sizes);
     EXPECT_EQ(invalid([&] { wake.leave_out(frame, three, three, few, heights); }), sizes);
     EXPECT_EQ(invalid([&] { wake.leave_out(frame, three, three, heights, few); }), sizes);

@@ -106,8 +106,7 @@ TEST(QueryCommand, RejectsInvalidPointsOfWaterOnOneLine) {
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     };
     const std::vector<std::string> exact = {"--interpolation", "exact"};
-    expect_error("x,y,z\n0,0,0\n", {},
-                 "the points' column y needs --interpolation exact, which samples the water at that height");
+    expect_error("x,y,z\n0,0,0\n", {"--foam"}, "--foam cannot be combined with points that have a column y");
     expect_error("x,y,z\n0,0,0\n3,-60,4\n", {"--interpolation", "exact", "--depth", "50", "--sea-level", "2"},
                  ":3: the line is 3,-60,4, expected y of at least -48, the sea floor");
     expect_error("x,y,z\n0,deep,0\n", exact,

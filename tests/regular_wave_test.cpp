@@ -145,7 +145,8 @@ TEST(RegularSea, IsBitIdenticalOnEachInstructionSet) {
     std::set<std::uint64_t> hashes;
     std::set<double> heights;
     for (const Isa isa : isas_here()) {
-        Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = Velocities::drawn});
+        Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true,
+                          .velocities = Velocities::drawn});
         heights.insert(height_at(ocean, 3.25, 17, -40));
         hashes.insert(hash_of(ocean.frame_at(3.25)));
     }

@@ -23,7 +23,8 @@ namespace {
 const SeaState breeze{.cascades = 3, .resolution = 32, .wind_speed_mps = 8, .loop_period_s = 40};
 
 OceanOptions with_bay(Isa isa = choose_isa(), std::shared_ptr<Executor> executor = make_serial_executor()) {
-    return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = Velocities::drawn, .shore = bay()};
+    return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = Velocities::drawn,
+            .shore = bay()};
 }
 
 TEST(Shore, DoesNotChangeTheCascades) {

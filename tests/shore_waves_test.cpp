@@ -336,7 +336,8 @@ TEST(Velocities, MatchAiryWaves) {
     const OpenWave wave = wave_of(sea);
     for (const double depth_m : {3.0, 10.0, 40.0, 300.0}) {
         const ShoreOptions even = shore_of(101, 101, 10, [=](double, double) { return -depth_m; });
-        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn, .shore = even});
+        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::drawn,
+                          .shore = even});
         std::vector<double> x, z;
         for (int i = 0; i < 900; ++i) {
             x.push_back(300 + 13.7 * (i % 30));

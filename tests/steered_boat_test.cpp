@@ -84,7 +84,7 @@ TEST(SteeredBoat, PlanesAndStopsByItself) {
     EXPECT_GT(voyage.height_m(), -0.2);
     voyage.go(40, {.thrust = 1});
     EXPECT_GT(voyage.boat.speed_mps(), 6.5);
-    EXPECT_GT(voyage.height_m(), 0);
+    EXPECT_GT(voyage.height_m(), -0.02) << "out of its trough, up to its height at rest";
     // It wanders a little without a helmsman, but the skeg keeps it from turning.
     EXPECT_NEAR(std::atan2(voyage.boat.place_m().y, voyage.boat.place_m().x), 0.5, 0.2);
     voyage.go(10, {});

@@ -47,7 +47,8 @@ Points points_where_overturned(const Frame& frame, std::size_t count, unsigned s
 
 std::unique_ptr<Ocean> ocean_with_queries(const SeaState& sea, Isa isa = choose_isa()) {
     return std::make_unique<Ocean>(
-        sea, OceanOptions{.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = Velocities::drawn});
+        sea, OceanOptions{.executor = make_serial_executor(), .isa = isa, .queries = true,
+                          .velocities = Velocities::drawn});
 }
 
 struct Worst {

@@ -32,7 +32,8 @@ const WaterFrame drifting{.current_x_mps = 1.37, .current_z_mps = -0.83};
 SeaState windy_sea(int cascades) { return {.cascades = cascades, .resolution = 32, .wind_speed_mps = 11}; }
 
 OceanOptions with_all(Isa isa = choose_isa()) {
-    return {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = Velocities::drawn, .foam = true};
+    return {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = Velocities::drawn,
+            .foam = true};
 }
 
 Samples samples_of(const Frame& frame, const std::vector<double>& x, const std::vector<double>& z,

@@ -79,7 +79,8 @@ Errors largest_errors(double texels, double period_s, double water_m, double dir
         const auto worst = [](double& so_far, double value) { so_far = std::max(so_far, std::fabs(value)); };
         const auto of = [&](const std::vector<float>& values) { return static_cast<double>(values[i]); };
         worst(errors.pressure, (of(motion.pressure) / (1025 * gravity_mps2) - (e * head - y[i])) / amplitude_m);
-        const double u = omega * amplitude_m * along * std::cos(phase), v = omega * amplitude_m * rise * std::sin(phase);
+        const double u = omega * amplitude_m * along * std::cos(phase),
+            v = omega * amplitude_m * rise * std::sin(phase);
         const double cosine = std::cos(direction_rad), sine = std::sin(direction_rad);
         const double orbit = omega * amplitude_m / std::tanh(k * water_m);
         worst(errors.velocity, (of(motion.vx) - u * cosine) / orbit);
@@ -142,7 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Isas, WaterQueryOnEachIsa, testing::ValuesIn(isas_here(
 // On the surface that is queried, the pressure is 0, and it grows by the weight of the water above.
 TEST_P(WaterQueryOnEachIsa, PressureIsZeroAtTheDrawnSurface) {
     for (const int cascades : {1, 4}) {
-        Ocean ocean(steep_sea(cascades), {.executor = make_serial_executor(), .isa = GetParam(), .queries = true, .depth = true});
+        Ocean ocean(steep_sea(cascades), {.executor = make_serial_executor(), .isa = GetParam(), .queries = true,
+                                          .depth = true});
         const Frame& frame = ocean.frame_at(12.5);
         const WaterQuery water(frame);
         Points points(700);

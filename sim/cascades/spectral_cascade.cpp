@@ -90,7 +90,8 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
                    }),
                    .stack_bytes = transforms});
     return {surface_done,
-            slots_.contents().has_drawn_velocities() && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
+            slots_.contents().has_drawn_velocities() && !is_tick ? add_velocity_stages(graph, lines_done)
+                                                                 : surface_done};
 }
 
 // The time derivative of a sum of waves is a sum of waves, and uses the transforms of the surface.

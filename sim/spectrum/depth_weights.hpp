@@ -18,8 +18,8 @@ struct DepthFactors {
 /// \param depth_m  y in [0, 2 water_m]
 DepthFactors depth_factors(double k, double depth_m, double water_m);
 
-/// Fills in the weights of a ladder with depths. They make the sum of the levels' factors closest to the factors in between, in the
-/// mean square over the waves; their derivatives are closest in the mean square of relative errors.
+/// Fills in the weights of a ladder with depths. They make the sum of the levels' factors closest to the factors in
+/// between, in the mean square over the waves; their derivatives are closest in the mean square of relative errors.
 /// \param min_k, max_k  the waves, rad/m
 void fit_weights(DepthLadder& ladder, double min_k, double max_k, double water_m);
 

@@ -436,7 +436,7 @@ void QueryCommand::run_exact(const ResolvedSea& sea, const std::vector<double>& 
     PointBlock block;
     bool has_points = reader.read_block(block, block_points);
     if (record && (block.size() > 1 || reader.has_y()))
-        throw InputError("--record needs one point x,z, and " + bytes.name() + " has " +
+        throw InputError("--record needs one point, and " + bytes.name() + " has " +
                          (block.size() > 1 ? "more" : "a column y"));
     WaterJobs jobs(executor);
     SampleBuffers surface(false, false);
@@ -508,7 +508,7 @@ void QueryCommand::run() {
     reader.set_min_y(water.sea_level_m - sea.sea.depth_m, "the sea floor");
     bool has_points = reader.read_block(block, block_points);
     if (record && (block.size() > 1 || reader.has_y()))
-        throw InputError("--record needs one point x,z, and " + bytes.name() + " has " +
+        throw InputError("--record needs one point, and " + bytes.name() + " has " +
                          (block.size() > 1 ? "more" : "a column y"));
     if (reader.has_y() && (foam_ || velocities_))
         throw InputError(std::string(foam_ ? "--foam" : "--velocities") +

@@ -112,7 +112,8 @@ class ViewCopier {
 
     void copy_views(Cascade& cascade) {
         auto& [grid, level_m, dx, height, dz, velocity_x, velocity_y, velocity_z, water, folds, contraction,
-               displacement, gradient, slopes, moments, slope_ranges, compression, snapshots, snapshots_version, drift_columns,
+               displacement, gradient, slopes, moments, slope_ranges, compression, snapshots, snapshots_version,
+                   drift_columns,
                drift_rows, compression_scale, front_x, front_z, slope_variance, bounds] = cascade;
         auto& [blocks, around, max_sum, largest_m, stretch, steepness] = contraction;
         copy_planes(dx, height, dz, velocity_x, velocity_y, velocity_z);

@@ -63,7 +63,8 @@ Velocities velocities_of(const val& value) {
     if (value.isString())
         if (const auto named = value_named<Velocities>(value.as<std::string>())) return *named;
     if (!value.isTrue() && !value.isFalse())
-        throw std::invalid_argument(invalid_value_message("velocities", text_of(value), "true, false, none, drawn or water"));
+        throw std::invalid_argument(
+            invalid_value_message("velocities", text_of(value), "true, false, none, drawn or water"));
     return value.isTrue() ? Velocities::drawn : Velocities::none;
 }
 
