@@ -171,7 +171,12 @@ struct HullWorkspace {
     std::vector<double> x, y, z;
     std::vector<float> depth_m, pressure_pa, velocity_x_mps, velocity_y_mps, velocity_z_mps;
     std::vector<float> depth_with_wake_m;
-    double footprint_m = 0;  ///< of all points
+    /// The points of a hull: those up to `end`, from that of the hull before.
+    struct Part {
+        std::size_t end;
+        double footprint_m;
+    };
+    std::vector<Part> parts;
     std::vector<double> wake_m, wake_up_mps;
     struct Vertex {
         glm::dvec3 arm_m;         ///< from the centre of mass, world axes

@@ -149,7 +149,6 @@ HullMatrix in_hull(const HullMatrix& world, const glm::dmat3& axes) {
 }  // namespace
 
 void Hull::append_points(const HullState& state, HullWorkspace& workspace) const {
-    workspace.footprint_m = std::min(workspace.footprint_m, footprint_m_);
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     for (const glm::dvec3& arm : arms_m_) {
         const glm::dvec3 at = state.position_m + axes * arm;
@@ -157,6 +156,7 @@ void Hull::append_points(const HullState& state, HullWorkspace& workspace) const
         workspace.y.push_back(at.y);
         workspace.z.push_back(at.z);
     }
+    workspace.parts.push_back({workspace.x.size(), footprint_m_});
 }
 
 void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point, const HullState& state,
@@ -351,7 +351,7 @@ HullLoads Hull::loads(const WaterKinematics& water, HullState& state, double ste
 
 void HullWorkspace::clear() {
     for (auto* positions : {&x, &y, &z}) positions->clear();
-    footprint_m = std::numeric_limits<double>::infinity();
+    parts.clear();
 }
 
 void HullWorkspace::sample(const WaterKinematics& water) {
@@ -359,11 +359,18 @@ void HullWorkspace::sample(const WaterKinematics& water) {
         values->resize(x.size());
     // A hull that touches the ground has the water there.
     for (double& height : y) height = std::max(height, water.floor_m());
-    water.sample({.x = x, .y = y, .z = z, .footprint_m = footprint_m}, {.depth_m = depth_m,
-                                            .pressure_pa = pressure_pa,
-                                            .velocity_x_mps = velocity_x_mps,
-                                            .velocity_y_mps = velocity_y_mps,
-                                            .velocity_z_mps = velocity_z_mps});
+    // Hulls differ in their footprints, and none depends on others.
+    std::size_t first = 0;
+    for (const Part& part : parts) {
+        const auto of = [&](auto& all) { return std::span(all).subspan(first, part.end - first); };
+        water.sample({.x = of(x), .y = of(y), .z = of(z), .footprint_m = part.footprint_m},
+                     {.depth_m = of(depth_m),
+                      .pressure_pa = of(pressure_pa),
+                      .velocity_x_mps = of(velocity_x_mps),
+                      .velocity_y_mps = of(velocity_y_mps),
+                      .velocity_z_mps = of(velocity_z_mps)});
+        first = part.end;
+    }
 }
 
 }  // namespace pelagic

@@ -6,9 +6,10 @@
 //
 // The water at (x, y, z) is that of the reference point that is drawn at (x, z), at the depth below it
 // (water_kinematics.hpp). Waves of the cascades decrease with depth by planes at a few depths
-// (water_levels.hpp): within 3 % of a wave's amplitude for the pressure of waves from 8 texels on, and for
-// velocities from 16. Pressure is 0 on the surface that is queried. Dynamic waves and the waves of a shore
-// do not decrease with depth.
+// (water_levels.hpp): with cubic interpolation of the surface within 3 % of a wave's amplitude for the
+// pressure of waves from 8 texels on, and for velocities from 16; accelerations within 10 %. Pressure is 0
+// on the surface that is queried, but for dynamic waves: these, and the waves of a shore and of a pond, do
+// not decrease with depth. Those of a pond move no water.
 #pragma once
 
 #include "pelagic/sim/frame.hpp"

@@ -80,6 +80,31 @@ TEST(HullDeterminism, AHullOfASetMovesAsOneAlone) {
     EXPECT_TRUE(equal(alone, bodies.state(2)));
 }
 
+// A job of a set steps several hulls. Small ones feel waves of cascades that large ones leave out.
+TEST(HullDeterminism, AHullOfASetIsIndependentOfTheSizesOfOthers) {
+    SeaState sea = rough_sea;
+    sea.cascades = 4;
+    sea.resolution = 64;
+    sea.patch_size_m = 0;
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .depth = true});
+    const Hull boat(boat_mesh(30, 8, 5), {.mass_kg = 400'000}), buoy(box_mesh({0.5, 0.5, 0.5}), {.mass_kg = 60});
+    FloatingBodies bodies(make_serial_executor());
+    for (int i = 0; i < 130; ++i) {
+        const Hull& hull = i % 2 ? buoy : boat;
+        bodies.add(hull, hull.at_rest(40.0 * i, 3.0 * i));
+    }
+    HullState alone[] = {bodies.state(1), bodies.state(2)};
+    HullWorkspace workspace;
+    for (int i = 0; i < 5; ++i) {
+        const Frame& frame = ocean.frame_at((i + 0.5) * hull_step_s);
+        bodies.step(frame, hull_step_s);
+        boat.step(WaterQuery(frame), alone[0], hull_step_s, {}, workspace);
+        buoy.step(WaterQuery(frame), alone[1], hull_step_s, {}, workspace);
+    }
+    EXPECT_TRUE(equal(alone[0], bodies.state(1)));
+    EXPECT_TRUE(equal(alone[1], bodies.state(2)));
+}
+
 /// A boat under way in waves, with all that it does to the water.
 struct Voyage {
     Ocean ocean;

@@ -13,9 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <sstream>
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/sim/water_query.hpp"
 #include "pelagic/sim/exact_water.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
@@ -119,6 +121,29 @@ TEST(QueryCommand, RejectsInvalidPointsOfWaterOnOneLine) {
     expect_error("x,y,z\n0,0,0\n", {"--interpolation", "exact", "--record", "20"}, "has a column y");
     expect_error("x,y,z,pressure_pa\n0,0,0,0\n", {"--interpolation", "exact", "--quiet"},
                  "the points' column pressure_pa has the name of another column or of a result, expected its own");
+}
+
+// With a column y the values are those of WaterQuery.
+TEST(QueryCommand, SamplesTheWaterBelowAFrame) {
+    const Outcome outcome = query("x,y,z\n3,-4,5\n-60,-12,7\n", {"--resolution", "64", "--time", "12.5"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    Ocean ocean({.resolution = 64}, {.executor = make_serial_executor(), .queries = true, .depth = true});
+    const std::vector<double> x = {3, -60}, y = {-4, -12}, z = {5, 7};
+    std::vector<float> pressure(2), rise(2);
+    WaterQuery(ocean.frame_at(12.5), {.surface = {.interpolation = Interpolation::cubic}})
+        .sample({x, y, z}, {.pressure_pa = pressure, .velocity_y_mps = rise});
+    std::istringstream lines(outcome.out);
+    std::string line;
+    std::getline(lines, line);
+    for (std::size_t i = 0; i < 2; ++i) {
+        std::getline(lines, line);
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream numbers(line);
+        double skipped, p, vx, vy;
+        numbers >> skipped >> skipped >> skipped >> p >> vx >> vy;
+        EXPECT_NEAR(p, static_cast<double>(pressure[i]), 0.01);  // floats of 1e5 Pa
+        EXPECT_NEAR(vy, static_cast<double>(rise[i]), 1e-6);
+    }
 }
 
 // The default interpolation is cubic, and the output states which is used.

@@ -239,6 +239,18 @@ TEST(WaterQuery, LevelsBlendDuringAChange) {
     }
 }
 
+TEST(WaterQuery, APondIsHydrostatic) {
+    Ocean ocean({.waves = WaveModel::pond}, {.executor = make_serial_executor(), .queries = true, .depth = true});
+    const WaterQuery water(ocean.frame_at(2));
+    const Points points(200);
+    Motion motion(points.x.size());
+    water.sample(points.all(), motion.samples());
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        EXPECT_NEAR(motion.pressure[i] / (1025 * gravity_mps2), static_cast<double>(motion.depth[i]), 1e-5);
+        EXPECT_EQ(motion.vy[i], 0);
+    }
+}
+
 TEST(WaterQuery, RefusesWhatItCannotSampleInOneLine) {
     Ocean ocean(steep_sea(1), {.executor = make_serial_executor(), .queries = true});
     const Frame& frame = ocean.frame_at(0);
@@ -258,9 +270,10 @@ TEST(WaterQuery, RefusesWhatItCannotSampleInOneLine) {
     EXPECT_EQ(message_of([&] { water.sample({x, x, z}, {.pressure_pa = three}); }),
               "pressure_pa has 3 elements, expected 2 or none");
     EXPECT_EQ(message_of([] {
-                  Ocean pond({.waves = WaveModel::pond}, {.executor = make_serial_executor(), .depth = true});
+                  Ocean pond({.waves = WaveModel::pond},
+                             {.executor = make_serial_executor(), .velocities = Velocities::water});
               }),
-              "depth cannot be combined with waves pond, which have no motion below the surface");
+              "velocities water cannot be combined with waves pond, which have no motion of their own");
 }
 
 }  // namespace

@@ -29,9 +29,8 @@ std::string check_parts(const Forecast& forecast, const OceanOptions& options) {
         if (contents.foam) return "foam cannot be combined with an ocean without slopes";
         if (!contents.gradients) return "gradients and slopes are off, expected one of them on";
     }
-    if (forecast.first.waves == WaveModel::pond && (options.depth || options.velocities == Velocities::water))
-        return std::string(options.depth ? "depth" : "velocities water") +
-               " cannot be combined with waves pond, which have no motion below the surface";
+    if (forecast.first.waves == WaveModel::pond && options.velocities == Velocities::water)
+        return "velocities water cannot be combined with waves pond, which have no motion of their own";
     if (!options.shore) return {};
     if (std::string reason = check(*options.shore, forecast.first); !reason.empty()) return reason;
     return forecast.changes.empty() ? std::string() : "a forecast with changes cannot be combined with a shore";

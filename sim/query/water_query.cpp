@@ -41,7 +41,7 @@ HeadSample surface_head(const Cascade& cascade, const TexelPosition& at, Interpo
 WaterQuery::WaterQuery(const Frame& frame, const WaterQueryOptions& options)
     : WaterKinematics(options.water_density_kgpm3, frame.time_s), surface_(frame, options.surface) {
     for (const Cascade& cascade : frame.cascades)
-        if (!cascade.water.has_depth())
+        if (!cascade.water.has_depth() && frame.sea.waves != WaveModel::pond)
             throw std::invalid_argument(
                 "the frame has no water below its surface: the ocean was created without OceanOptions::depth");
 }
@@ -105,9 +105,9 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             double waves_m = static_cast<double>(chunk.height[i]) - level_m,
                    height_m = static_cast<double>(chunk.height[i]) + other_m;
             for (std::size_t t = held; t < cascades.size(); ++t) {
-                const double left_out = weight(t) * static_cast<double>(surface_head(cascades[t],
-                                                                                     query.reference_texels(t, chunk, i),
-                                                                                     interpolation).value);
+                const TexelPosition texels = query.reference_texels(t, chunk, i);
+                const double left_out =
+                    weight(t) * static_cast<double>(surface_head(cascades[t], texels, interpolation).value);
                 height_m -= left_out;
                 waves_m -= left_out;
             }
@@ -120,7 +120,11 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
                 const Cascade& cascade = cascades[t];
                 const TexelPosition texels = query.reference_texels(t, chunk, i);
                 const HeadSample surface = surface_head(cascade, texels, interpolation);
-                const WaterMotion motion = motion_at(cascade, stretched_m, texels, surface, has_accelerations);
+                // the waves of a pond have no levels
+                const WaterMotion motion =
+                    cascade.water.has_depth()
+                        ? motion_at(cascade, stretched_m, texels, surface, has_accelerations)
+                        : WaterMotion{.velocity_mps = {}, .head = surface};
                 head_m += weight(t) * static_cast<double>(motion.head.value);
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     velocity[axis] += weight(t) * static_cast<double>(motion.velocity_mps[axis]);
@@ -133,8 +137,7 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             }
             put(samples.depth_m, at, depth_m);
             // The sum is the depth at the surface, without rounding errors of the waves' sums.
-            put(samples.pressure_pa, at,
-                pascals_per_m * (depth_m + (head_m - waves_m)));
+            put(samples.pressure_pa, at, pascals_per_m * (depth_m + (head_m - waves_m)));
             put(samples.velocity_x_mps, at, velocity[0]);
             put(samples.velocity_y_mps, at, velocity[1]);
             put(samples.velocity_z_mps, at, velocity[2]);
