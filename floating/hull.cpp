@@ -145,6 +145,8 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     }
     for (const glm::dvec3& vertex : mesh_.vertices()) arms_m_.push_back(vertex - centre_of_mass_m_);
     triangles_ = mesh_.triangles();
+    find_rest();
+    find_displaced_moments();
     divide_triangles();
 
     // A vertex represents a third of its triangles in plan.
@@ -156,8 +158,6 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
         sum += 3 * in_plan;
     }
     for (double& weight : weights_) weight /= sum;
-    find_rest();
-    find_displaced_moments();
     SectionCoefficients sections;
     if (afloat_.floats)
         sections = lewis_coefficients(mesh_, centre_of_mass_m_, centre_of_mass_m_.y - afloat_.height_m,
@@ -180,14 +180,15 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
                     std::sqrt(weight_n * std::fabs(afloat_.roll_gm_m) * (inertia_kgm2_.x + added_mass_[3][3]));
 }
 
-/// Divides triangles at the middles of long edges. Both triangles at an edge divide it, so the surface
-/// stays closed. Of a mesh that would have too many vertices, edges stay longer.
+/// Divides triangles at the middles of edges of which a long part is below the waterline at rest. Both triangles at
+/// an edge divide it, so the surface stays closed. Of a mesh that would have too many vertices, edges stay longer.
 void Hull::divide_triangles() {
     constexpr double longest_over_length = 0.1;
     constexpr std::size_t max_vertices = 4096;
     const glm::dvec3 size = mesh_.upper_m() - mesh_.lower_m();
     double longest_m = longest_over_length * std::max(std::max(size.x, size.y), size.z);
     footprint_m_ = 2 * longest_m;
+    const double waterline_m = afloat_.floats ? -afloat_.height_m : mesh_.upper_m().y;
     const auto divided = [&](double limit_m, std::vector<glm::dvec3>& arms,
                              std::vector<HullMesh::Triangle>& triangles) {
         for (bool is_done = false; !is_done;) {
@@ -197,7 +198,9 @@ void Hull::divide_triangles() {
             // returns the middle of a long edge, or the number of vertices there can be
             const auto middle = [&](std::uint32_t a, std::uint32_t b) -> std::optional<std::uint32_t> {
                 const glm::dvec3 edge = arms[b] - arms[a];
-                if (!(glm::dot(edge, edge) > limit_m * limit_m)) return {};
+                const double below_m = waterline_m - std::min(arms[a].y, arms[b].y), height_m = std::fabs(edge.y);
+                const double wet = below_m >= height_m ? 1 : std::max(below_m, 0.0) / height_m;
+                if (!(wet * glm::length(edge) > limit_m * 1.000001)) return {};
                 const auto [at, is_new] =
                     middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(arms.size()));
                 if (is_new) arms.push_back(0.5 * (arms[a] + arms[b]));
@@ -255,7 +258,7 @@ void Hull::find_rest() {
         };
         for (const auto& [a, b, c] : mesh_.triangles())
             cut_at_waterline(
-                {vertex(a), vertex(b), vertex(c)}, [&](const HullTriangle& t) { wet.add(t); },
+                {vertex(a), vertex(b), vertex(c)}, [&](const HullTriangle& t) { wet.add(t, t.area_m2()); },
                 [](const HullTriangle&) {});
         return wet;
     };
@@ -270,8 +273,13 @@ void Hull::find_rest() {
     afloat_.waterplane_m2 = wet.waterplane_m2;
     const double volume = wet.force_m3.y, buoyancy_m = -high - wet.depth_moment_m4 / volume;
     const double x = wet.x_m3 / wet.waterplane_m2, z = wet.z_m3 / wet.waterplane_m2;
-    afloat_.roll_gm_m = buoyancy_m + (wet.zz_m4 - z * wet.z_m3) / volume;
-    afloat_.pitch_gm_m = buoyancy_m + (wet.xx_m4 - x * wet.x_m3) / volume;
+    const double xx_m4 = wet.xx_m4 - x * wet.x_m3, zz_m4 = wet.zz_m4 - z * wet.z_m3;
+    afloat_.roll_gm_m = buoyancy_m + zz_m4 / volume;
+    afloat_.pitch_gm_m = buoyancy_m + xx_m4 / volume;
+    // breadth of the box with the waterplane's area and second moment
+    const double breadth_m = std::sqrt(12 * std::min(xx_m4, zz_m4) / wet.waterplane_m2);
+    const double of_draught = breadth_m * wet.waterplane_m2 / (3 * volume);
+    middle_weight_ = std::min(1.0, of_draught * of_draught);
 }
 
 /// Integrates the squares of the positions in the displaced water, from its middle, by Gauss' theorem:

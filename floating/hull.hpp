@@ -12,12 +12,15 @@
 //   pressure    -n S p, with p at rest and of waves at the depth of each vertex (water_kinematics.hpp);
 //               linear on each triangle, and integrated exactly over triangles cut at the waterline
 //               (J. Kerner, "Water interaction model for boats in video games", Gamasutra 2015).
-//               Triangles are divided until no edge is longer than a tenth of the hull's length, or
-//               4096 vertices sample the water.
+//               Triangles are divided until no edge is longer, below the waterline at rest, than a tenth of
+//               the hull's length, or 4096 vertices sample the water.
 //   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the rate of change of the
 //               water's velocity at the moving hull (J. N. Newman, Marine Hydrodynamics, MIT Press
 //               1977, chapters 4 and 7): its mean over the displaced water, which follows from the
-//               pressure by Gauss' theorem
+//               pressure by Gauss' theorem. Vertically the part (b / 3 T)^2 of it, at most all, and the
+//               rest of the mean over the faces that look down, b the breadth and T the mean draught:
+//               deep hulls push the water below them, and this weight fits what is known of flat ones
+//               (tests/hull_response_test.cpp)
 //   drag        1/2 rho C S |w.n| w.n along -n, C for faces that advance and for faces that
 //               retreat; and 1/2 rho C_f S |w_t| w_t for the friction along a face
 //   radiation   linear damping of heave and pitch on strips across the length, by the waves that they
@@ -138,7 +141,7 @@ struct HullLoads {
     double water_height_m = 0, water_slope_x = 0, water_slope_z = 0;
     glm::dvec3 water_velocity_mps{};    ///< mean under the hull
     glm::dvec3 water_rotation_radps{};  ///< of the surface under the hull, about x and z
-    glm::dvec3 water_acceleration_mps2{};  ///< mean over the displaced water
+    glm::dvec3 water_acceleration_mps2{};  ///< what acts on the added mass
     HullMatrix mass{};       ///< of the hull, and its added mass now; axes of the hull
     HullMatrix stiffness{};  ///< -d pressure / d pose; axes of the hull
 
@@ -169,7 +172,7 @@ struct HullAfloat {
 /// Memory of a step, reused so that steps allocate nothing after the first.
 struct HullWorkspace {
     std::vector<double> x, y, z;
-    std::vector<float> depth_m, pressure_pa, velocity_x_mps, velocity_y_mps, velocity_z_mps;
+    std::vector<float> depth_m, pressure_pa, velocity_x_mps, velocity_y_mps, velocity_z_mps, acceleration_y_mps2;
     std::vector<float> depth_with_wake_m;
     /// The points of a hull: those up to `end`, from that of the hull before.
     struct Part {
@@ -183,7 +186,8 @@ struct HullWorkspace {
         glm::dvec3 relative_mps;  ///< velocity of the hull relative to the water
         double depth_m;           ///< below the surface, negative above it
         double head_m;            ///< pressure over density and gravity
-        double wake_m = 0;        ///< of it, that of waves that HullWake acts on
+        double rise_mps2 = 0;     ///< vertical acceleration of the water
+        double wake_m = 0;        ///< of the head, that of waves that HullWake acts on
         double wake_up_mps = 0;   ///< vertical velocity of these waves
     };
     std::vector<Vertex> vertices;
@@ -307,6 +311,7 @@ class Hull {
     double footprint_m_ = 0;  // twice the distance of vertices
     double floating_volume_m3_ = 0;
     glm::dvec3 displaced_m5_{};  // second moments of the water that the hull at rest displaces
+    double middle_weight_ = 1;      // of the displaced water in the mean vertical acceleration
     double strip_damping_ = 0;      // kg/s for a square metre of waterplane
     double roll_damping_ = 0;       // kg m^2/s
     double heave_wave_number_ = 0;  // rad/m, of the waves that heave makes

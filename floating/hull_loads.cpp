@@ -97,6 +97,9 @@ struct WaterChange {
     glm::dvec3 rotation_radps2{};
 };
 
+// Waves break before the surface falls freely.
+double limited(double mps2) { return std::clamp(mps2, -gravity_mps2, gravity_mps2); }
+
 /// Returns the means over the displaced volume. The pressure's force is that of gravity and
 /// acceleration on the displaced water, because pressure is 0 on its surface; so is its torque.
 /// \param middle_y_m     middle of the displaced volume, from the centre of mass
@@ -104,8 +107,6 @@ struct WaterChange {
 WaterChange water_change(const Hydrostatics& wet, double middle_y_m, const glm::dvec3& displaced_m5) {
     WaterChange change;
     if (!(wet.volume_m3 > 0)) return change;
-    // Waves break before the surface falls freely.
-    const auto limited = [](double mps2) { return std::clamp(mps2, -gravity_mps2, gravity_mps2); };
     const glm::dvec3 middle(wet.volume_x_m4 / wet.volume_m3, middle_y_m, wet.volume_z_m4 / wet.volume_m3);
     const glm::dvec3 excess = wet.force_m3 - glm::dvec3(0, wet.volume_m3, 0);
     for (int axis = 0; axis < 3; ++axis)
@@ -182,6 +183,7 @@ void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point,
         vertex.relative_mps = state.velocity_mps + glm::cross(state.angular_velocity_radps, vertex.arm_m) -
                               glm::dvec3(workspace.velocity_x_mps[point], workspace.velocity_y_mps[point],
                                          workspace.velocity_z_mps[point]);
+        vertex.rise_mps2 = static_cast<double>(workspace.acceleration_y_mps2[point]);
         vertex.wake_m = workspace.wake_m[i];
         vertex.wake_up_mps = workspace.wake_up_mps[i];
     }
@@ -204,11 +206,13 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
 
     const double radiates = det::exp(-2 * heave_wave_number_ * submergence_m(vertices));
     Hydrostatics wet;
+    double bottom_m2 = 0, bottom_rise = 0;  // of faces that look down, in plan, and their vertical acceleration's sum
     Loss drag, advancing;
     const double half_water = 0.5 * options_.water_density_kgpm3, half_air = 0.5 * options_.air_density_kgpm3;
     const auto add_wet = [&](const HullTriangle& triangle) {
-        wet.add(triangle);
         const glm::dvec3 area = triangle.area_m2(), relative = triangle.relative_mps(), arm = triangle.centre_m();
+        wet.add(triangle, area);
+        if (inputs.wake) wet.leave_out_wake(triangle, area);
         const double area_m2 = glm::length(area);
         if (area_m2 == 0) return;
         const glm::dvec3 normal = area / area_m2;
@@ -222,6 +226,8 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
                  relative);
         if (across > 0) advancing.add(arm, -half_water * area_m2 * coefficient * across * across * normal, relative);
         if (area.y >= 0) return;
+        bottom_m2 -= area.y;
+        bottom_rise -= area.y / 3 * (triangle.a.rise_mps2 + triangle.b.rise_mps2 + triangle.c.rise_mps2);
         // A strip across the length does not take part in roll.
         const glm::dvec3 on_axis = glm::dot(arm, axes[0]) * axes[0];
         const double rise = relative.y - glm::cross(state.angular_velocity_radps, arm - on_axis).y;
@@ -279,7 +285,11 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     const double weight_npm3 = options_.water_density_kgpm3 * (gravity_mps2 + wake_mps2);
     loads.pressure = {weight_npm3 * wet.force_m3, weight_npm3 * wet.torque_m4};
     const double buoyancy_y_m3 = (mean.height_m - state.position_m.y) * loads.displaced_m3 - wet.depth_moment_m4;
-    const WaterChange change = water_change(wet, buoyancy_y_m3 / std::max(loads.displaced_m3, 1e-9), moments_m5);
+    WaterChange change = water_change(wet, buoyancy_y_m3 / std::max(loads.displaced_m3, 1e-9), moments_m5);
+    if (bottom_m2 > 0) {
+        const double bottom_mps2 = limited(bottom_rise / bottom_m2);
+        change.acceleration_mps2.y = bottom_mps2 + middle_weight_ * (change.acceleration_mps2.y - bottom_mps2);
+    }
     loads.water_acceleration_mps2 = change.acceleration_mps2 + glm::dvec3(0, wake_mps2, 0);
     if (inputs.wake) loads.pressure += inputs.wake->push(*water.frame_or_null(), state);
     loads.stiffness = in_hull(world_stiffness(wet, weight_npm3, buoyancy_y_m3), axes);
@@ -355,7 +365,8 @@ void HullWorkspace::clear() {
 }
 
 void HullWorkspace::sample(const WaterKinematics& water) {
-    for (auto* values : {&depth_m, &pressure_pa, &velocity_x_mps, &velocity_y_mps, &velocity_z_mps})
+    for (auto* values : {&depth_m, &pressure_pa, &velocity_x_mps, &velocity_y_mps, &velocity_z_mps,
+                         &acceleration_y_mps2})
         values->resize(x.size());
     // A hull that touches the ground has the water there.
     for (double& height : y) height = std::max(height, water.floor_m());
@@ -368,7 +379,8 @@ void HullWorkspace::sample(const WaterKinematics& water) {
                       .pressure_pa = of(pressure_pa),
                       .velocity_x_mps = of(velocity_x_mps),
                       .velocity_y_mps = of(velocity_y_mps),
-                      .velocity_z_mps = of(velocity_z_mps)});
+                      .velocity_z_mps = of(velocity_z_mps),
+                      .acceleration_y_mps2 = of(acceleration_y_mps2)});
         first = part.end;
     }
 }

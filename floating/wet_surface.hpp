@@ -12,7 +12,7 @@ namespace pelagic {
 using HullVertex = HullWorkspace::Vertex;
 
 struct HullTriangle {
-    HullVertex a, b, c;
+    const HullVertex &a, &b, &c;
 
     /// Returns the area along the outward normal.
     glm::dvec3 area_m2() const { return 0.5 * glm::cross(b.arm_m - a.arm_m, c.arm_m - a.arm_m); }
@@ -23,22 +23,28 @@ struct HullTriangle {
 /// Returns the point of zero depth between a vertex below the surface and one above it.
 inline HullVertex at_waterline(const HullVertex& below, const HullVertex& above) {
     const double along = below.depth_m / (below.depth_m - above.depth_m);
-    return {below.arm_m + along * (above.arm_m - below.arm_m),
-            below.relative_mps + along * (above.relative_mps - below.relative_mps), 0, 0,
-            below.wake_m + along * (above.wake_m - below.wake_m)};
+    const auto between = [along](const auto& from, const auto& to) { return from + along * (to - from); };
+    return {.arm_m = between(below.arm_m, above.arm_m),
+            .relative_mps = between(below.relative_mps, above.relative_mps),
+            .depth_m = 0,
+            .head_m = 0,
+            .rise_mps2 = between(below.rise_mps2, above.rise_mps2),
+            .wake_m = between(below.wake_m, above.wake_m)};
 }
 
 /// Calls wet(triangle) for the parts below the surface and dry(triangle) for those above it.
 /// Winding is kept.
 template <class Wet, class Dry>
-void cut_at_waterline(HullTriangle triangle, Wet&& wet, Dry&& dry) {
-    auto& [a, b, c] = triangle;
-    const int below = (a.depth_m > 0) + (b.depth_m > 0) + (c.depth_m > 0);
+void cut_at_waterline(const HullTriangle& triangle, Wet&& wet, Dry&& dry) {
+    const bool is_wet[] = {triangle.a.depth_m > 0, triangle.b.depth_m > 0, triangle.c.depth_m > 0};
+    const int below = is_wet[0] + is_wet[1] + is_wet[2];
     if (below == 3) return wet(triangle);
     if (below == 0) return dry(triangle);
-    // Turn the triangle until a is the only vertex on its side.
-    const auto alone = [&](const HullVertex& vertex) { return (vertex.depth_m > 0) == (below == 1); };
-    while (!alone(a)) triangle = {b, c, a};
+    // a is the only vertex on its side
+    const HullVertex* const corners[] = {&triangle.a, &triangle.b, &triangle.c, &triangle.a, &triangle.b};
+    std::size_t alone = 0;
+    while (is_wet[alone] != (below == 1)) ++alone;
+    const HullVertex &a = *corners[alone], &b = *corners[alone + 1], &c = *corners[alone + 2];
     const HullVertex ab = below == 1 ? at_waterline(a, b) : at_waterline(b, a);
     const HullVertex ac = below == 1 ? at_waterline(a, c) : at_waterline(c, a);
     const HullTriangle tip{a, ab, ac}, left{ab, b, c}, right{ab, c, ac};
@@ -59,33 +65,44 @@ struct Hydrostatics {
     double waterplane_m2 = 0, x_m3 = 0, z_m3 = 0, xx_m4 = 0, xz_m4 = 0, zz_m4 = 0;
     double depth_moment_m4 = 0;  ///< displaced volume times the mean depth in it
 
-    void add(const HullTriangle& triangle) {
+    /// \param area  triangle.area_m2()
+    void add(const HullTriangle& triangle, const glm::dvec3& area) {
         const HullVertex &a = triangle.a, &b = triangle.b, &c = triangle.c;
-        const glm::dvec3 area = triangle.area_m2();
         const glm::dvec3 arms = a.arm_m + b.arm_m + c.arm_m;
         const double heads = a.head_m + b.head_m + c.head_m;
         const double depths = a.depth_m + b.depth_m + c.depth_m;
-        const double wakes = a.wake_m + b.wake_m + c.wake_m;
-        const glm::dvec3 moment = heads * arms + a.head_m * a.arm_m + b.head_m * b.arm_m + c.head_m * c.arm_m;
-        const glm::dvec3 of_wakes = wakes * arms + a.wake_m * a.arm_m + b.wake_m * b.arm_m + c.wake_m * c.arm_m;
-        const glm::dvec3 of_depths = depths * arms + a.depth_m * a.arm_m + b.depth_m * b.arm_m + c.depth_m * c.arm_m;
-        force_m3 -= heads / 3 * area - wakes / 3 * glm::dvec3(area.x, 0, area.z);
-        torque_m4 += (glm::cross(area, moment) - glm::dvec3(0, glm::cross(area, of_wakes).y, 0)) / 12.0;
-        volume_m3 -= depths / 3 * area.y;
-        volume_x_m4 -= area.y / 12 * of_depths.x;
-        volume_z_m4 -= area.y / 12 * of_depths.z;
+        const double third = area.y / 3, twelfth = area.y / 12;
+        force_m3 -= heads / 3 * area;
+        torque_m4 += glm::cross(
+            area, (heads * arms + a.head_m * a.arm_m + b.head_m * b.arm_m + c.head_m * c.arm_m) / 12.0);
+        volume_m3 -= depths * third;
+        const auto moment = [&](int i) {
+            return depths * arms[i] + a.depth_m * a.arm_m[i] + b.depth_m * b.arm_m[i] + c.depth_m * c.arm_m[i];
+        };
+        volume_x_m4 -= twelfth * moment(0);
+        volume_z_m4 -= twelfth * moment(2);
         waterplane_m2 -= area.y;
-        x_m3 -= area.y / 3 * arms.x;
-        z_m3 -= area.y / 3 * arms.z;
+        x_m3 -= third * arms.x;
+        z_m3 -= third * arms.z;
         const auto second = [&](int i, int j) {
-            return area.y / 12 *
+            return twelfth *
                    (arms[i] * arms[j] + a.arm_m[i] * a.arm_m[j] + b.arm_m[i] * b.arm_m[j] + c.arm_m[i] * c.arm_m[j]);
         };
         xx_m4 -= second(0, 0);
         xz_m4 -= second(0, 2);
         zz_m4 -= second(2, 2);
-        depth_moment_m4 -=
-            area.y / 24 * (depths * depths + a.depth_m * a.depth_m + b.depth_m * b.depth_m + c.depth_m * c.depth_m);
+        depth_moment_m4 -= twelfth / 2 *
+                           (depths * depths + a.depth_m * a.depth_m + b.depth_m * b.depth_m + c.depth_m * c.depth_m);
+    }
+
+    /// Leaves out the force of waves that HullWake acts on along x and z, and its torque about y.
+    void leave_out_wake(const HullTriangle& triangle, const glm::dvec3& area) {
+        const HullVertex &a = triangle.a, &b = triangle.b, &c = triangle.c;
+        const double wakes = a.wake_m + b.wake_m + c.wake_m;
+        const glm::dvec3 moment = wakes * (a.arm_m + b.arm_m + c.arm_m) + a.wake_m * a.arm_m + b.wake_m * b.arm_m +
+                                  c.wake_m * c.arm_m;
+        force_m3 += wakes / 3 * glm::dvec3(area.x, 0, area.z);
+        torque_m4.y -= glm::cross(area, moment).y / 12;
     }
 };
 

@@ -115,7 +115,7 @@ TEST(HullResponse, ASparHeavesAsFroudeAndKrylovWithAddedMass) {
     const Spar spar;
     const Hull hull = spar.hull();
     // resonance at 130 m, which drag limits
-    for (const double wavelength_m : {400.0, 300.0, 200.0})
+    for (const double wavelength_m : {400.0, 300.0, 200.0, 90.0, 80.0})
         EXPECT_NEAR(head_seas(hull, wavelength_m, 60).heave / spar.heave(wavelength_m), 1, 0.1) << wavelength_m;
     EXPECT_GT(head_seas(hull, 130, 60).heave, 2);
     EXPECT_LT(head_seas(hull, 60, 60).heave, 0.15);
@@ -203,6 +203,10 @@ TEST(HullResponse, ATruncatedCylinderFeelsMacCamysForce) {
         const double surge = 4 * (1 - std::exp(-k * draught_m)) / (k * k) / std::hypot(j, y);
         EXPECT_NEAR(held_force_m2(hull, wavelength_m, 0) / surge, 1, 0.1) << ka;
     }
+    // Capytaine 3.0: radius 3 m, draught 18 m, 8 x 32 x 36 panels, deep water; m^2
+    const std::pair<double, double> heave_m2[] = {{0.1, 14.293}, {0.2, 7.236}, {0.3, 3.653}, {0.45, 1.311}};
+    for (const auto& [ka, expected] : heave_m2)
+        EXPECT_NEAR(held_force_m2(hull, two_pi / (ka / radius_m), 1) / expected, 1, 0.1) << ka;
 }
 
 TEST(HullResponse, ABodyAtFortyMetresHardlyFeelsShortWaves) {

@@ -562,7 +562,7 @@ TEST(Hull, AHitchIsDividedIntoSteps) {
 struct RisingWater : StillWater {
     explicit RisingWater(double up_mps2) : up_mps2_(up_mps2) {}
     Motion motion_at(double, double y_m, double) const override {
-        return {.depth_m = -y_m, .head_m = -y_m * up_mps2_ / gravity_mps2};
+        return {.depth_m = -y_m, .head_m = -y_m * up_mps2_ / gravity_mps2, .up_mps2 = up_mps2_};
     }
     double up_mps2_;
 };

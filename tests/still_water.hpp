@@ -26,12 +26,15 @@ class StillWater : public WaterKinematics {
             put(samples.velocity_x_mps, motion.along_mps * along_x_);
             put(samples.velocity_y_mps, motion.up_mps);
             put(samples.velocity_z_mps, motion.along_mps * along_z_);
+            put(samples.acceleration_x_mps2, motion.along_mps2 * along_x_);
+            put(samples.acceleration_y_mps2, motion.up_mps2);
+            put(samples.acceleration_z_mps2, motion.along_mps2 * along_z_);
         }
     }
 
    protected:
     struct Motion {
-        double depth_m, head_m = 0, along_mps = 0, up_mps = 0;
+        double depth_m, head_m = 0, along_mps = 0, up_mps = 0, along_mps2 = 0, up_mps2 = 0;
     };
     virtual Motion motion_at(double, double y_m, double) const { return {.depth_m = -y_m}; }
 
@@ -57,7 +60,8 @@ class RegularWave : public StillWater {
         const double phase = k_ * (along_x_ * x_m + along_z_ * z_m) - omega * at_s_;
         const double height_m = amplitude_m_ * std::cos(phase), depth_m = height_m - y_m;
         const double left = amplitude_m_ * std::exp(-k_ * std::max(depth_m, 0.0));
-        return {depth_m, left * std::cos(phase), omega * left * std::cos(phase), omega * left * std::sin(phase)};
+        const double cosine = left * std::cos(phase), sine = left * std::sin(phase), omega2 = omega * omega;
+        return {depth_m, cosine, omega * cosine, omega * sine, omega2 * sine, -omega2 * cosine};
     }
 
     double amplitude_m_ = 0, k_ = 1, at_s_ = 0;

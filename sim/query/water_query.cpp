@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "pelagic/sim/buffers/shore_at.hpp"
+#include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/query/cascade_cell.hpp"
 #include "pelagic/sim/query/query_chunks.hpp"
 #include "pelagic/sim/query/water_sampler.hpp"
 #include "pelagic/simd/constants.hpp"
@@ -18,22 +18,8 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
-bool has_acceleration(const WaterSamples& samples) {
-    return !samples.acceleration_x_mps2.empty() || !samples.acceleration_y_mps2.empty() ||
-           !samples.acceleration_z_mps2.empty();
-}
-
 void put(std::span<float> to, std::size_t i, double value) {
     if (!to.empty()) to[i] = static_cast<float>(value);
-}
-
-/// Returns the height of a cascade's waves at a reference point, without the cascade's level.
-HeadSample surface_head(const Cascade& cascade, const TexelPosition& at, Interpolation interpolation) {
-    const double column = std::floor(at.column), row = std::floor(at.row);
-    const CascadeCell cell(texels_of(cascade), static_cast<int>(column), static_cast<int>(row), interpolation);
-    const CascadeCell::Value height = cell.at(cascade.height.data, at.column - column, at.row - row);
-    return {static_cast<float>(height.value - static_cast<double>(cascade.level_m)),
-            static_cast<float>(height.along_u), static_cast<float>(height.along_v), 0};
 }
 
 }  // namespace
@@ -54,7 +40,12 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
     const WaterFrame::Origin& origin = surface_.origin_;
     const Interpolation interpolation = surface_.options_.interpolation;
     const double water_m = frame.sea.depth_m, pascals_per_m = water_density_kgpm3() * gravity_mps2;
-    const bool has_accelerations = has_acceleration(samples);
+    const bool has_slopes = !samples.acceleration_x_mps2.empty() || !samples.acceleration_z_mps2.empty();
+    const WaterDerivatives wanted = has_slopes                             ? WaterDerivatives::all
+                                    : !samples.acceleration_y_mps2.empty() ? WaterDerivatives::down
+                                                                           : WaterDerivatives::none;
+    std::array<SurfaceTexels, max_cascades> planes;
+    std::transform(cascades.begin(), cascades.end(), planes.begin(), texels_of);
     // the coarsest cascades, which hold waves as long as the footprint
     std::size_t held = cascades.size();
     while (held > 1 && cascades[held - 1].water.longest_wave_m < points.footprint_m) --held;
@@ -107,7 +98,7 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             for (std::size_t t = held; t < cascades.size(); ++t) {
                 const TexelPosition texels = query.reference_texels(t, chunk, i);
                 const double left_out =
-                    weight(t) * static_cast<double>(surface_head(cascades[t], texels, interpolation).value);
+                    weight(t) * static_cast<double>(surface_head(planes[t], cascades[t].level_m, texels, interpolation).value);
                 height_m -= left_out;
                 waves_m -= left_out;
             }
@@ -119,20 +110,20 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             for (std::size_t t = 0; t < held; ++t) {
                 const Cascade& cascade = cascades[t];
                 const TexelPosition texels = query.reference_texels(t, chunk, i);
-                const HeadSample surface = surface_head(cascade, texels, interpolation);
+                const HeadSample surface = surface_head(planes[t], cascade.level_m, texels, interpolation);
                 // the waves of a pond have no levels
                 const WaterMotion motion =
                     cascade.water.has_depth()
-                        ? motion_at(cascade, stretched_m, texels, surface, has_accelerations)
+                        ? motion_at(cascade, stretched_m, texels, surface, wanted)
                         : WaterMotion{.velocity_mps = {}, .head = surface};
                 head_m += weight(t) * static_cast<double>(motion.head.value);
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     velocity[axis] += weight(t) * static_cast<double>(motion.velocity_mps[axis]);
-                if (!has_accelerations) continue;
+                gradient[1] -= weight(t) * static_cast<double>(motion.head.down);
+                if (!has_slopes) continue;
                 const auto [x, z] = cascade.grid.in_world(static_cast<double>(motion.head.along) / cascade.texel_m(),
                                                           static_cast<double>(motion.head.across) / cascade.texel_m());
                 gradient[0] += weight(t) * x;
-                gradient[1] -= weight(t) * static_cast<double>(motion.head.down);
                 gradient[2] += weight(t) * z;
             }
             put(samples.depth_m, at, depth_m);

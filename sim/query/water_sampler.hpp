@@ -4,7 +4,9 @@
 #include <array>
 
 #include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/query/point_chunk.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic {
 
@@ -13,6 +15,9 @@ namespace pelagic {
 struct HeadSample {
     float value = 0, along = 0, across = 0, down = 0;
 };
+
+/// What is wanted of a HeadSample.
+enum class WaterDerivatives { none, down, all };
 
 /// Motion of a cascade's waves.
 struct WaterMotion {
@@ -23,11 +28,15 @@ struct WaterMotion {
 /// Returns the water's velocity at the surface in the world's axes, m/s. \pre cascade.water.has_surface()
 std::array<float, 3> surface_velocity(const Cascade& cascade, const TexelPosition& at);
 
+/// Returns the height of a cascade's waves above its level, and its derivatives.
+HeadSample surface_head(const SurfaceTexels& texels, float level_m, const TexelPosition& at,
+                        Interpolation interpolation);
+
 /// Returns the motion at a depth.
 /// \param depth_m  at least 0
-/// \param surface  height of the cascade's waves at the surface, and its derivatives if they are wanted
+/// \param surface  surface_head()
 /// \pre cascade.water.has_depth()
 WaterMotion motion_at(const Cascade& cascade, double depth_m, const TexelPosition& at, const HeadSample& surface,
-                      bool has_derivatives);
+                      WaterDerivatives wanted);
 
 }  // namespace pelagic
