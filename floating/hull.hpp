@@ -178,6 +178,7 @@ struct HullWorkspace {
     struct Part {
         std::size_t end;
         double footprint_m;
+        bool has_rise;  ///< whether the vertical acceleration is wanted
     };
     std::vector<Part> parts;
     std::vector<double> wake_m, wake_up_mps;

@@ -23,8 +23,7 @@ struct Loss {
     double power_w = 0;
 
     void add(const glm::dvec3& arm_m, const glm::dvec3& force_n, const glm::dvec3& relative_mps) {
-        force.force_n += force_n;
-        force.torque_nm += glm::cross(arm_m, force_n);
+        force += {force_n, glm::cross(arm_m, force_n)};
         power_w += glm::dot(force_n, relative_mps);
     }
 };
@@ -49,43 +48,38 @@ struct MeanWater {
 
 MeanWater mean_water(std::span<const double> weights, std::span<const HullVertex> vertices, double height_m,
                      const glm::dvec3& velocity_mps, const glm::dvec3& angular_velocity_radps) {
-    MeanWater mean;
-    const auto water_velocity = [&](const HullVertex& vertex) {
-        return velocity_mps + glm::cross(angular_velocity_radps, vertex.arm_m) - vertex.relative_mps;
-    };
-    double x = 0, z = 0, height = 0;
+    double x = 0, y = 0, z = 0, h = 0, w = 0, xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0, xw = 0, zw = 0;
+    glm::dvec3 relative{};
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const HullVertex& vertex = vertices[i];
-        x += weights[i] * vertex.arm_m.x;
-        z += weights[i] * vertex.arm_m.z;
-        height += weights[i] * (vertex.arm_m.y + vertex.depth_m);
-        mean.velocity_mps += weights[i] * water_velocity(vertex);
-        mean.wake_mps += weights[i] * vertex.wake_up_mps;
+        const double of_x = weights[i] * vertex.arm_m.x, of_z = weights[i] * vertex.arm_m.z;
+        const double height = vertex.arm_m.y + vertex.depth_m, up = vertex.relative_mps.y;
+        x += of_x, y += weights[i] * vertex.arm_m.y, z += of_z;
+        h += weights[i] * height, w += weights[i] * vertex.wake_up_mps;
+        relative += weights[i] * vertex.relative_mps;
+        xx += of_x * vertex.arm_m.x, xz += of_x * vertex.arm_m.z, zz += of_z * vertex.arm_m.z;
+        xh += of_x * height, zh += of_z * height, xv += of_x * up, zv += of_z * up;
+        xw += of_x * vertex.wake_up_mps, zw += of_z * vertex.wake_up_mps;
     }
+    MeanWater mean;
     mean.x_m = x;
     mean.z_m = z;
-    mean.height_m = height_m + height;
-    double xx = 0, xz = 0, zz = 0, xh = 0, zh = 0, xv = 0, zv = 0, xw = 0, zw = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const HullVertex& vertex = vertices[i];
-        const double dx = vertex.arm_m.x - x, dz = vertex.arm_m.z - z;
-        const double dh = weights[i] * (vertex.arm_m.y + vertex.depth_m - height);
-        const double dv = weights[i] * (water_velocity(vertex).y - mean.velocity_mps.y);
-        xx += weights[i] * dx * dx;
-        xz += weights[i] * dx * dz;
-        zz += weights[i] * dz * dz;
-        xh += dx * dh, zh += dz * dh, xv += dx * dv, zv += dz * dv;
-        const double dw = weights[i] * (vertex.wake_up_mps - mean.wake_mps);
-        xw += dx * dw, zw += dz * dw;
-    }
+    mean.height_m = height_m + h;
+    mean.wake_mps = w;
+    // the hull's velocity at the middle of the vertices, without theirs in the water
+    mean.velocity_mps =
+        velocity_mps + glm::cross(angular_velocity_radps, glm::dvec3(x, y, z)) - relative;
+    xx -= x * x, xz -= x * z, zz -= z * z;
     const double determinant = xx * zz - xz * xz;
     if (determinant > 1e-9 * xx * zz) {
-        mean.slope_x = (zz * xh - xz * zh) / determinant;
-        mean.slope_z = (xx * zh - xz * xh) / determinant;
-        mean.gradient_x = (zz * xv - xz * zv) / determinant;
-        mean.gradient_z = (xx * zv - xz * xv) / determinant;
-        mean.wake_gradient_x = (zz * xw - xz * zw) / determinant;
-        mean.wake_gradient_z = (xx * zw - xz * xw) / determinant;
+        const auto along_x = [&](double of_x, double of_z) { return (zz * of_x - xz * of_z) / determinant; };
+        const auto along_z = [&](double of_x, double of_z) { return (xx * of_z - xz * of_x) / determinant; };
+        mean.slope_x = along_x(xh - x * h, zh - z * h);
+        mean.slope_z = along_z(xh - x * h, zh - z * h);
+        mean.gradient_x = angular_velocity_radps.z - along_x(xv - x * relative.y, zv - z * relative.y);
+        mean.gradient_z = -angular_velocity_radps.x - along_z(xv - x * relative.y, zv - z * relative.y);
+        mean.wake_gradient_x = along_x(xw - x * w, zw - z * w);
+        mean.wake_gradient_z = along_z(xw - x * w, zw - z * w);
     }
     return mean;
 }
@@ -157,7 +151,7 @@ void Hull::append_points(const HullState& state, HullWorkspace& workspace) const
         workspace.y.push_back(at.y);
         workspace.z.push_back(at.z);
     }
-    workspace.parts.push_back({workspace.x.size(), footprint_m_});
+    workspace.parts.push_back({workspace.x.size(), footprint_m_, middle_weight_ < 1});
 }
 
 void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point, const HullState& state,
@@ -183,7 +177,7 @@ void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point,
         vertex.relative_mps = state.velocity_mps + glm::cross(state.angular_velocity_radps, vertex.arm_m) -
                               glm::dvec3(workspace.velocity_x_mps[point], workspace.velocity_y_mps[point],
                                          workspace.velocity_z_mps[point]);
-        vertex.rise_mps2 = static_cast<double>(workspace.acceleration_y_mps2[point]);
+        if (middle_weight_ < 1) vertex.rise_mps2 = static_cast<double>(workspace.acceleration_y_mps2[point]);
         vertex.wake_m = workspace.wake_m[i];
         vertex.wake_up_mps = workspace.wake_up_mps[i];
     }
@@ -207,31 +201,33 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     const double radiates = det::exp(-2 * heave_wave_number_ * submergence_m(vertices));
     Hydrostatics wet;
     double bottom_m2 = 0, bottom_rise = 0;  // of faces that look down, in plan, and their vertical acceleration's sum
-    Loss drag, advancing;
+    Loss drag;
+    HullForce advancing;
     const double half_water = 0.5 * options_.water_density_kgpm3, half_air = 0.5 * options_.air_density_kgpm3;
     const auto add_wet = [&](const HullTriangle& triangle) {
         const glm::dvec3 area = triangle.area_m2(), relative = triangle.relative_mps(), arm = triangle.centre_m();
         wet.add(triangle, area);
         if (inputs.wake) wet.leave_out_wake(triangle, area);
-        const double area_m2 = glm::length(area);
-        if (area_m2 == 0) return;
-        const glm::dvec3 normal = area / area_m2;
-        const double across = glm::dot(relative, normal);
-        const glm::dvec3 along = relative - across * normal;
-        const double coefficient = across > 0 ? options_.pressure_coefficient : options_.suction_coefficient;
-        drag.add(arm,
-                 -half_water * area_m2 *
-                     (coefficient * std::fabs(across) * across * normal +
-                      options_.friction_coefficient * glm::length(along) * along),
-                 relative);
-        if (across > 0) advancing.add(arm, -half_water * area_m2 * coefficient * across * across * normal, relative);
+        const double area_m4 = glm::dot(area, area);
+        if (area_m4 == 0) return;
+        const double flow = glm::dot(relative, area), across = flow / area_m4;  // along the normal
+        const glm::dvec3 along = relative - across * area;
+        const glm::dvec3 push = half_water * std::fabs(flow) * across *
+                                (flow > 0 ? options_.pressure_coefficient : options_.suction_coefficient) * area;
+        const double rub = half_water * options_.friction_coefficient * std::sqrt(area_m4 * glm::dot(along, along));
+        drag.add(arm, -push - rub * along, relative);
+        if (flow > 0) advancing += {-push, glm::cross(push, arm)};
         if (area.y >= 0) return;
         bottom_m2 -= area.y;
-        bottom_rise -= area.y / 3 * (triangle.a.rise_mps2 + triangle.b.rise_mps2 + triangle.c.rise_mps2);
+        bottom_rise -= HullTriangle::third * area.y *
+                       (triangle.a.rise_mps2 + triangle.b.rise_mps2 + triangle.c.rise_mps2);
         // A strip across the length does not take part in roll.
-        const glm::dvec3 on_axis = glm::dot(arm, axes[0]) * axes[0];
-        const double rise = relative.y - glm::cross(state.angular_velocity_radps, arm - on_axis).y;
-        drag.add(on_axis, {0, radiates * strip_damping_ * area.y * rise, 0}, {0, rise, 0});
+        const glm::dvec3 on_axis = glm::dot(arm, axes[0]) * axes[0], aside = arm - on_axis;
+        const glm::dvec3& spin = state.angular_velocity_radps;
+        const double rise = relative.y - (spin.z * aside.x - spin.x * aside.z);
+        const double damping_n = radiates * strip_damping_ * area.y * rise;
+        drag.force += HullForce{{0, damping_n, 0}, {-damping_n * on_axis.z, 0, damping_n * on_axis.x}};
+        drag.power_w += damping_n * rise;
     };
     const auto add_dry = [&](const HullTriangle& triangle) {
         const glm::dvec3 area = triangle.area_m2(), arm = triangle.centre_m();
@@ -286,7 +282,7 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     loads.pressure = {weight_npm3 * wet.force_m3, weight_npm3 * wet.torque_m4};
     const double buoyancy_y_m3 = (mean.height_m - state.position_m.y) * loads.displaced_m3 - wet.depth_moment_m4;
     WaterChange change = water_change(wet, buoyancy_y_m3 / std::max(loads.displaced_m3, 1e-9), moments_m5);
-    if (bottom_m2 > 0) {
+    if (bottom_m2 > 0 && middle_weight_ < 1) {
         const double bottom_mps2 = limited(bottom_rise / bottom_m2);
         change.acceleration_mps2.y = bottom_mps2 + middle_weight_ * (change.acceleration_mps2.y - bottom_mps2);
     }
@@ -333,11 +329,11 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     loads.drag = {kept * drag.force.force_n, kept * drag.force.torque_nm};
     // Power at the speeds after the losses: the energy of hull and added mass then falls by half of
     // that of slamming, and by no less than that of the drag.
-    const Vector6 advanced = in_axes(advancing.force);
+    const Vector6 advanced = in_axes(advancing);
     double impact_w = 0;
     for (std::size_t i = 0; i < 6; ++i)
         impact_w -= (slamming[i] + kept * advanced[i]) * (relative[i] + step_s * (slammed[i] + kept * stopped[i]));
-    loads.impact_n = glm::length(loads.slamming.force_n) + kept * glm::length(advancing.force.force_n);
+    loads.impact_n = glm::length(loads.slamming.force_n) + kept * glm::length(advancing.force_n);
     loads.impact_w = std::max(impact_w, 0.0);
 
     state.wake_velocity_y_mps = mean.wake_mps;
@@ -380,7 +376,7 @@ void HullWorkspace::sample(const WaterKinematics& water) {
                       .velocity_x_mps = of(velocity_x_mps),
                       .velocity_y_mps = of(velocity_y_mps),
                       .velocity_z_mps = of(velocity_z_mps),
-                      .acceleration_y_mps2 = of(acceleration_y_mps2)});
+                      .acceleration_y_mps2 = part.has_rise ? of(acceleration_y_mps2) : std::span<float>()});
         first = part.end;
     }
 }

@@ -16,8 +16,10 @@ struct HullTriangle {
 
     /// Returns the area along the outward normal.
     glm::dvec3 area_m2() const { return 0.5 * glm::cross(b.arm_m - a.arm_m, c.arm_m - a.arm_m); }
-    glm::dvec3 centre_m() const { return (a.arm_m + b.arm_m + c.arm_m) / 3.0; }
-    glm::dvec3 relative_mps() const { return (a.relative_mps + b.relative_mps + c.relative_mps) / 3.0; }
+    glm::dvec3 centre_m() const { return third * (a.arm_m + b.arm_m + c.arm_m); }
+    glm::dvec3 relative_mps() const { return third * (a.relative_mps + b.relative_mps + c.relative_mps); }
+
+    static constexpr double third = 1.0 / 3;
 };
 
 /// Returns the point of zero depth between a vertex below the surface and one above it.
@@ -71,10 +73,10 @@ struct Hydrostatics {
         const glm::dvec3 arms = a.arm_m + b.arm_m + c.arm_m;
         const double heads = a.head_m + b.head_m + c.head_m;
         const double depths = a.depth_m + b.depth_m + c.depth_m;
-        const double third = area.y / 3, twelfth = area.y / 12;
-        force_m3 -= heads / 3 * area;
-        torque_m4 += glm::cross(
-            area, (heads * arms + a.head_m * a.arm_m + b.head_m * b.arm_m + c.head_m * c.arm_m) / 12.0);
+        const double third = HullTriangle::third * area.y, twelfth = area.y * (1.0 / 12);
+        force_m3 -= HullTriangle::third * heads * area;
+        torque_m4 += glm::cross((1.0 / 12) * area,
+                                heads * arms + a.head_m * a.arm_m + b.head_m * b.arm_m + c.head_m * c.arm_m);
         volume_m3 -= depths * third;
         const auto moment = [&](int i) {
             return depths * arms[i] + a.depth_m * a.arm_m[i] + b.depth_m * b.arm_m[i] + c.depth_m * c.arm_m[i];
@@ -101,8 +103,8 @@ struct Hydrostatics {
         const double wakes = a.wake_m + b.wake_m + c.wake_m;
         const glm::dvec3 moment = wakes * (a.arm_m + b.arm_m + c.arm_m) + a.wake_m * a.arm_m + b.wake_m * b.arm_m +
                                   c.wake_m * c.arm_m;
-        force_m3 += wakes / 3 * glm::dvec3(area.x, 0, area.z);
-        torque_m4.y -= glm::cross(area, moment).y / 12;
+        force_m3 += HullTriangle::third * wakes * glm::dvec3(area.x, 0, area.z);
+        torque_m4.y -= glm::cross(area, moment).y * (1.0 / 12);
     }
 };
 

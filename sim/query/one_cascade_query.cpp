@@ -132,10 +132,9 @@ void OneCascadeQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk&
          .out = outputs});
 }
 
-TexelPosition OneCascadeQuery::reference_texels(std::size_t, const PointChunk& chunk, std::size_t point) const {
+ReferenceCell OneCascadeQuery::reference_cell(std::size_t, const PointChunk& chunk, std::size_t point) const {
     const PointChunk::World& rest = chunk.rest;
-    return {rest.cell_x[point] + static_cast<double>(rest.u[point]),
-            rest.cell_z[point] + static_cast<double>(rest.v[point])};
+    return {rest.cell_x[point], rest.cell_z[point], rest.u[point], rest.v[point]};
 }
 
 void OneCascadeQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {

@@ -28,8 +28,8 @@ class OneCascadeQuery {
     void find_reference_points(PointChunk& chunk) const;
     /// Samples the frame at the reference points. \pre find_reference_points(chunk)
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
-    /// Returns a reference point in texels. \pre find_reference_points(chunk)
-    TexelPosition reference_texels(std::size_t cascade, const PointChunk& chunk, std::size_t point) const;
+    /// Returns a reference point. \pre find_reference_points(chunk)
+    ReferenceCell reference_cell(std::size_t cascade, const PointChunk& chunk, std::size_t point) const;
     /// Samples the foam at the reference points, to one value for each position of the chunk.
     /// \pre the cascade has foam
     void read_foam(const PointChunk& chunk, std::span<float> foam) const;

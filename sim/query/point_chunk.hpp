@@ -24,9 +24,11 @@ inline std::int64_t floor_of(double x) {
     return cut - (static_cast<double>(cut) > x);
 }
 
-/// A position along a cascade's axes, in texels.
-struct TexelPosition {
-    double column, row;
+/// A reference point along a cascade's axes: a texel, which may be outside the cascade, and a position in [0, 1]
+/// from it to the next.
+struct ReferenceCell {
+    std::int32_t column, row;
+    float u, v;
 };
 
 /// Lives on the stack. The 8 KB that one cascade uses fit the first-level cache.

@@ -123,12 +123,20 @@ void StackQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chun
     (interpolation_ == Interpolation::cubic ? kernels_.sample_stack.cubic : kernels_.sample_stack.linear)(job);
 }
 
-TexelPosition StackQuery::reference_texels(std::size_t cascade, const PointChunk& chunk, std::size_t point) const {
-    const SearchCascade& of = search_cascades_[cascade];
+ReferenceCell StackQuery::reference_cell(std::size_t cascade, const PointChunk& chunk, std::size_t point) const {
+    const auto along = static_cast<float>(search_cascades_[cascade].along),
+               across = static_cast<float>(search_cascades_[cascade].across);
     const PointChunk::World& world = chunk.world[cascade];
-    const double x = static_cast<double>(chunk.offset_x[point]), z = static_cast<double>(chunk.offset_z[point]);
-    return {world.cell_x[point] + (static_cast<double>(world.u[point]) + (of.along * x + of.across * z)),
-            world.cell_z[point] + (static_cast<double>(world.v[point]) + (of.along * z - of.across * x))};
+    const float x = chunk.offset_x[point], z = chunk.offset_z[point];
+    // as the kernels do
+    const float u = world.u[point] + (along * x + across * z), v = world.v[point] + (along * z - across * x);
+    const auto floor_of_float = [](float of) {
+        const auto cut = static_cast<std::int32_t>(of);
+        return cut - (static_cast<float>(cut) > of);
+    };
+    const std::int32_t column = floor_of_float(u), row = floor_of_float(v);
+    return {world.cell_x[point] + column, world.cell_z[point] + row, u - static_cast<float>(column),
+            v - static_cast<float>(row)};
 }
 
 void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {

@@ -18,7 +18,7 @@ class StackQuery {
     void locate_points(PointChunk& chunk) const;
     void find_reference_points(PointChunk& chunk) const;
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
-    TexelPosition reference_texels(std::size_t cascade, const PointChunk& chunk, std::size_t point) const;
+    ReferenceCell reference_cell(std::size_t cascade, const PointChunk& chunk, std::size_t point) const;
     void read_foam(const PointChunk& chunk, std::span<float> foam) const;
 
    private:

@@ -144,7 +144,7 @@ void SurfaceQuery::read_water_velocities(const Query& query, PointChunk& chunk) 
         std::array<float, 3> sum{};
         for (std::size_t cascade = 0; cascade < frame_.cascades.size(); ++cascade) {
             const std::array<float, 3> v =
-                surface_velocity(frame_.cascades[cascade], query.reference_texels(cascade, chunk, i));
+                surface_velocity(frame_.cascades[cascade], query.reference_cell(cascade, chunk, i));
             const float weight = frame_.shore ? chunk.weight[cascade][i] : 1;
             for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weight * v[axis];
         }

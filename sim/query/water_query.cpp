@@ -96,9 +96,9 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             double waves_m = static_cast<double>(chunk.height[i]) - level_m,
                    height_m = static_cast<double>(chunk.height[i]) + other_m;
             for (std::size_t t = held; t < cascades.size(); ++t) {
-                const TexelPosition texels = query.reference_texels(t, chunk, i);
-                const double left_out =
-                    weight(t) * static_cast<double>(surface_head(planes[t], cascades[t].level_m, texels, interpolation).value);
+                const ReferenceCell at_rest = query.reference_cell(t, chunk, i);
+                const HeadSample surface = surface_head(planes[t], cascades[t].level_m, at_rest, interpolation);
+                const double left_out = weight(t) * static_cast<double>(surface.value);
                 height_m -= left_out;
                 waves_m -= left_out;
             }
@@ -109,12 +109,12 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             double head_m = 0;
             for (std::size_t t = 0; t < held; ++t) {
                 const Cascade& cascade = cascades[t];
-                const TexelPosition texels = query.reference_texels(t, chunk, i);
-                const HeadSample surface = surface_head(planes[t], cascade.level_m, texels, interpolation);
+                const ReferenceCell at_rest = query.reference_cell(t, chunk, i);
+                const HeadSample surface = surface_head(planes[t], cascade.level_m, at_rest, interpolation);
                 // the waves of a pond have no levels
                 const WaterMotion motion =
                     cascade.water.has_depth()
-                        ? motion_at(cascade, stretched_m, texels, surface, wanted)
+                        ? motion_at(cascade, stretched_m, at_rest, surface, wanted)
                         : WaterMotion{.velocity_mps = {}, .head = surface};
                 head_m += weight(t) * static_cast<double>(motion.head.value);
                 for (std::size_t axis = 0; axis < 3; ++axis)

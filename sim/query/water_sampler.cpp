@@ -5,6 +5,7 @@
 
 #include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/query/cascade_cell.hpp"
+#include "pelagic/simd/always_inline.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/four_floats.hpp"
@@ -27,25 +28,14 @@ FourFloats spline_slopes(float t) {
     return (square * at + linear) * at + constant;
 }
 
-/// A texel of a cascade and a position in it.
-struct WaterCell {
-    explicit WaterCell(const TexelPosition& at) : column(floor_of(at.column)), row(floor_of(at.row)) {
-        u = static_cast<float>(at.column - static_cast<double>(column));
-        v = static_cast<float>(at.row - static_cast<double>(row));
-    }
-
-    std::int64_t column, row;
-    float u, v;
-};
-
 /// The 4 x 4 texels of a cubic B-spline around a position.
 class SplineTaps {
    public:
-    SplineTaps(const Cascade& cascade, const WaterGrid& grid, const WaterCell& at) : texels_(grid.texels) {
+    SplineTaps(const Cascade& cascade, const WaterGrid& grid, const ReferenceCell& at) : texels_(grid.texels) {
         // texels of a grid are 2, 4, ... texels of the cascade
         const int shift = std::countr_zero(static_cast<unsigned>(cascade.resolution())) -
                           std::countr_zero(static_cast<unsigned>(grid.resolution));
-        const std::int64_t inside = (std::int64_t{1} << shift) - 1;
+        const std::int32_t inside = (std::int32_t{1} << shift) - 1;
         scale = 1 / static_cast<float>(inside + 1);
         mask_ = static_cast<unsigned>(grid.resolution) - 1;
         first_column_ = (static_cast<unsigned>(at.column >> shift) - 1) & mask_;
@@ -84,8 +74,9 @@ class SplineTaps {
 
 /// The levels of a ladder around a depth.
 struct LevelsAround {
-    /// \param side_m  of the cascade, to fade beyond the last level
-    LevelsAround(const DepthLadder& ladder, double depth_m, double side_m) {
+    /// \param side_m      of the cascade, to fade beyond the last level
+    /// \param has_slopes  whether the derivatives of the weights are wanted
+    PELAGIC_INLINE LevelsAround(const DepthLadder& ladder, double depth_m, double side_m, bool has_slopes) {
         std::size_t above = 0;
         while (above + 2 < ladder.count && depth_m >= ladder.depths_m[above + 1]) ++above;
         const double top_m = ladder.depths_m[above], bottom_m = ladder.depths_m[above + 1];
@@ -103,7 +94,7 @@ struct LevelsAround {
         const DepthWeights &from = ladder.weights[above][step], &to = ladder.weights[above][step + 1];
         for (std::size_t i = 0; i < 3; ++i) {
             value[i] = from.value[i] + part * (to.value[i] - from.value[i]);
-            slope[i] = from.slope[i] + part * (to.slope[i] - from.slope[i]);
+            if (has_slopes) slope[i] = from.slope[i] + part * (to.slope[i] - from.slope[i]);
         }
     }
 
@@ -111,42 +102,15 @@ struct LevelsAround {
     std::array<float, 3> value{}, slope{};
 };
 
-}  // namespace
-
-std::array<float, 3> surface_velocity(const Cascade& cascade, const TexelPosition& at) {
-    const FourFloats values = SplineTaps(cascade, cascade.water.grids[0], WaterCell(at)).values();
-    return {values[0], values[1], values[2]};
-}
-
-HeadSample surface_head(const SurfaceTexels& texels, float level_m, const TexelPosition& at,
-                        Interpolation interpolation) {
-    const WaterCell cell(at);
-    const auto column = static_cast<int>(cell.column), row = static_cast<int>(cell.row);
-    if (interpolation == Interpolation::cubic) {
-        const CascadeCell::Value height = CascadeCell(texels, column, row, interpolation)
-                                              .at(texels.height, static_cast<double>(cell.u),
-                                                  static_cast<double>(cell.v));
-        return {static_cast<float>(height.value - static_cast<double>(level_m)), static_cast<float>(height.along_u),
-                static_cast<float>(height.along_v), 0};
-    }
-    const std::ptrdiff_t above = texel_offset(texels, 0, row), below = texel_offset(texels, 0, row + 1),
-                         left = texel_offset(texels, column, 0), right = texel_offset(texels, column + 1, 0);
-    const float a = texels.height[above + left], b = texels.height[above + right], c = texels.height[below + left],
-                d = texels.height[below + right];
-    const float low = a + cell.u * (b - a), high = c + cell.u * (d - c);
-    return {low + cell.v * (high - low) - level_m, (b - a) + cell.v * ((d - c) - (b - a)), high - low, 0};
-}
-
-WaterMotion motion_at(const Cascade& cascade, double depth_m, const TexelPosition& at, const HeadSample& surface,
-                      WaterDerivatives wanted) {
+template <WaterDerivatives wanted>
+WaterMotion motion_with(const Cascade& cascade, double depth_m, const ReferenceCell& at, const HeadSample& surface) {
     const WaterLevels& water = cascade.water;
-    const LevelsAround velocity(*water.velocity, depth_m, cascade.grid.side_m),
-        head(*water.head, depth_m, cascade.grid.side_m);
+    const LevelsAround velocity(*water.velocity, depth_m, cascade.grid.side_m, false),
+        head(*water.head, depth_m, cascade.grid.side_m, wanted != WaterDerivatives::none);
     // Weights of grids: level g of the velocity and level g + 1 of the head are those of grid g.
     const auto weight_of = [](const std::array<float, 3>& weights, std::size_t first, std::size_t level) {
         return level - first < 3 ? weights[level - first] : 0.f;
     };
-    const WaterCell cell(at);
     WaterMotion motion;
     FourFloats sum{};  // the velocity, and the head
     if (head.first == 0)
@@ -158,17 +122,50 @@ WaterMotion motion_at(const Cascade& cascade, double depth_m, const TexelPositio
         const float of_velocity = weight_of(velocity.value, velocity.first, grid),
                     of_head = weight_of(head.value, head.first, grid + 1);
         if (of_velocity == 0 && of_head == 0 && wanted == WaterDerivatives::none) continue;
-        const SplineTaps taps(cascade, water.grids[grid], cell);
+        const SplineTaps taps(cascade, water.grids[grid], at);
         const FourFloats values = taps.values();
         sum += FourFloats{of_velocity, of_velocity, of_velocity, of_head} * values;
+        if (wanted == WaterDerivatives::none) continue;
         motion.head.down += weight_of(head.slope, head.first, grid + 1) * values[3];
-        if (wanted != WaterDerivatives::all) continue;
+        if (wanted == WaterDerivatives::down) continue;
         motion.head.along += of_head * (taps.scale * taps.along()[3]);
         motion.head.across += of_head * (taps.scale * taps.across()[3]);
     }
     motion.velocity_mps = {sum[0], sum[1], sum[2]};
     motion.head.value += sum[3];
     return motion;
+}
+
+}  // namespace
+
+std::array<float, 3> surface_velocity(const Cascade& cascade, const ReferenceCell& at) {
+    const FourFloats values = SplineTaps(cascade, cascade.water.grids[0], at).values();
+    return {values[0], values[1], values[2]};
+}
+
+HeadSample surface_head(const SurfaceTexels& texels, float level_m, const ReferenceCell& at,
+                        Interpolation interpolation) {
+    if (interpolation == Interpolation::cubic) {
+        const CascadeCell::Value height =
+            CascadeCell(texels, at.column, at.row, interpolation).at(texels.height, at.u, at.v);
+        return {static_cast<float>(height.value - static_cast<double>(level_m)), static_cast<float>(height.along_u),
+                static_cast<float>(height.along_v), 0};
+    }
+    const std::ptrdiff_t above = texel_offset(texels, 0, at.row), below = texel_offset(texels, 0, at.row + 1),
+                         left = texel_offset(texels, at.column, 0), right = texel_offset(texels, at.column + 1, 0);
+    const float a = texels.height[above + left], b = texels.height[above + right], c = texels.height[below + left],
+                d = texels.height[below + right];
+    const float low = a + at.u * (b - a), high = c + at.u * (d - c);
+    return {low + at.v * (high - low) - level_m, (b - a) + at.v * ((d - c) - (b - a)), high - low, 0};
+}
+
+WaterMotion motion_at(const Cascade& cascade, double depth_m, const ReferenceCell& at, const HeadSample& surface,
+                      WaterDerivatives wanted) {
+    switch (wanted) {
+        case WaterDerivatives::none: return motion_with<WaterDerivatives::none>(cascade, depth_m, at, surface);
+        case WaterDerivatives::down: return motion_with<WaterDerivatives::down>(cascade, depth_m, at, surface);
+        default: return motion_with<WaterDerivatives::all>(cascade, depth_m, at, surface);
+    }
 }
 
 }  // namespace pelagic

@@ -26,17 +26,17 @@ struct WaterMotion {
 };
 
 /// Returns the water's velocity at the surface in the world's axes, m/s. \pre cascade.water.has_surface()
-std::array<float, 3> surface_velocity(const Cascade& cascade, const TexelPosition& at);
+std::array<float, 3> surface_velocity(const Cascade& cascade, const ReferenceCell& at);
 
 /// Returns the height of a cascade's waves above its level, and its derivatives.
-HeadSample surface_head(const SurfaceTexels& texels, float level_m, const TexelPosition& at,
+HeadSample surface_head(const SurfaceTexels& texels, float level_m, const ReferenceCell& at,
                         Interpolation interpolation);
 
 /// Returns the motion at a depth.
 /// \param depth_m  at least 0
 /// \param surface  surface_head()
 /// \pre cascade.water.has_depth()
-WaterMotion motion_at(const Cascade& cascade, double depth_m, const TexelPosition& at, const HeadSample& surface,
+WaterMotion motion_at(const Cascade& cascade, double depth_m, const ReferenceCell& at, const HeadSample& surface,
                       WaterDerivatives wanted);
 
 }  // namespace pelagic
