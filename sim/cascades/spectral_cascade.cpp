@@ -278,8 +278,7 @@ std::size_t SpectralCascade::bytes() const {
     for (const auto& waves : seas_)
         if (waves) {
             bytes += waves->spectrum.bytes() + waves->by_band.bytes();
-            for (const WaterLevelRuns::GridSpectra& of : waves->of_levels)
-                bytes += of.velocity.bytes() + (of.head ? of.head->bytes() : 0);
+            for (const WaterLevelRuns::GridSpectra& of : waves->of_levels) bytes += of.bytes();
         }
     if (levels_) bytes += sizeof(WaterLevelRuns) + levels_->bytes();
     for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();

@@ -24,8 +24,8 @@ constexpr double highest_bottom = 0.6;
 /// Texels of a plane over those of the cascade, times its depth in texels.
 constexpr double texels_times_depth = 1.5;
 constexpr int min_resolution = 16;
-/// Smallest vertical velocity at the bottom relative to the horizontal one: packed waves hold the
-/// vertical one, which the horizontal one is a multiple of.
+/// Smallest vertical velocity relative to the horizontal one at the bottom, and to the head of waves that
+/// velocities leave out: packed waves hold the vertical velocity, and the others are multiples of it.
 constexpr double least_rise = 1e-6;
 
 /// Where a spectrum holds the wave (m, n) of each m.
@@ -140,34 +140,26 @@ WaterLevelRuns::Spectra WaterLevelRuns::empty_spectra(const WaterLayout& layout)
     for (std::size_t i = 0; i < layout.levels.count; ++i) {
         const FftPlan& plan = transform_of(layout.levels.grids[i].resolution).plan;
         GridSpectra& of = spectra.emplace_back(GridSpectra{PackedSpectrum(plan, kernels_.lanes, memory_), {}});
-        if (has_depth_) of.head.emplace(plan, kernels_.lanes, memory_);
+        if (has_depth_) of.head_factors = AlignedBuffer<float>(of.velocity.harmonics.size(), memory_);
     }
     return spectra;
 }
 
 void WaterLevelRuns::set_layout(const WaterLayout& layout) {
     layout_ = layout;
-    scratch_.resize(layout.levels.count);
-    for (std::size_t i = 0; i < scratch_.size(); ++i) {
-        const int side = layout.levels.grids[i].resolution;
-        const std::size_t floats = column_blocks(side, kernels_.lanes) * column_block_floats(side, kernels_.lanes);
-        if (scratch_[i].surface.size() == floats) continue;
-        const PackedSpectrum sizes(transform_of(side).plan, kernels_.lanes);
-        scratch_[i] = {AlignedBuffer<float>(floats, memory_), AlignedBuffer<float>(sizes.block_floats(), memory_)};
+    blended_.resize(layout.levels.count);
+    for (std::size_t i = 0; i < blended_.size(); ++i) {
+        const PackedSpectrum sizes(transform_of(layout.levels.grids[i].resolution).plan, kernels_.lanes);
+        if (blended_[i].size() != sizes.block_floats())
+            blended_[i] = AlignedBuffer<float>(sizes.block_floats(), memory_);
     }
 }
 
 void WaterLevelRuns::bake(const PackedSpectrum& of, const FftPlan& plan, const CascadePlan& cascade, double water_m,
-                          const WaterGrid& grid, GridSpectra& out) const {
-    bake(of, plan, cascade, water_m, grid, true, out.velocity);
-    if (out.head) bake(of, plan, cascade, water_m, grid, false, *out.head);
-}
-
-void WaterLevelRuns::bake(const PackedSpectrum& of, const FftPlan& plan, const CascadePlan& cascade, double water_m,
-                          const WaterGrid& grid, bool is_velocity, PackedSpectrum& out) const {
+                          const WaterGrid& grid, GridSpectra& spectra) const {
+    PackedSpectrum& out = spectra.velocity;
     const Transform& transform = transform_of(grid.resolution);
     const int resolution = grid.resolution, radix = transform.fft.first_step().radix;
-    const double depth_m = is_velocity ? grid.velocity_depth_m : grid.head_depth_m;
     const WavePlaces places(plan, resolution_);
     const double spacing = cascade.spacing();
     const double largest_k = two_pi / (shortest_of_velocity * cascade.grid.side_m / cascade.resolution);
@@ -184,101 +176,79 @@ void WaterLevelRuns::bake(const PackedSpectrum& of, const FftPlan& plan, const C
                 const int m = position < resolution / 2 ? position : position - resolution;
                 if (m == -resolution / 2 || (m == 0 && n == 0)) continue;
                 const double k = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n) * spacing;
-                if (depth_m == 0 && k > largest_k) continue;
-                const DepthFactors factors = depth_factors(k, depth_m, water_m);
-                const double rise = std::max(factors.rise, least_rise * factors.along_rise);
-                const double factor = (is_velocity ? rise : factors.head) * spline_factor(m, n, resolution);
+                const bool moves = grid.velocity_depth_m > 0 || k <= largest_k;
+                if (!moves && !has_depth_) continue;
+                const DepthFactors velocity = depth_factors(k, grid.velocity_depth_m, water_m),
+                                   head = depth_factors(k, grid.head_depth_m, water_m);
+                const double rise = moves ? std::max(velocity.rise, least_rise * velocity.along_rise)
+                                          : least_rise * head.head;
+                const double factor = rise * spline_factor(m, n, resolution);
                 const auto copy = [&](int of_m, WaveQuantity first) {
                     const WavePlaces::Place place = places.at(of_m);
                     const float* const from =
                         waves + (place.pair * wave_quantities + (place.is_minus ? minus_cos_re : plus_cos_re)) * lanes;
                     for (std::size_t i = 0; i < 4; ++i)
-                        to[(first + i) * lanes] =
-                            static_cast<float>(static_cast<double>(from[i * lanes]) * factor);
+                        to[(first + i) * lanes] = static_cast<float>(static_cast<double>(from[i * lanes]) * factor);
                 };
                 copy(m, plus_cos_re);
                 if (!pair.is_own_negative()) copy(-m, minus_cos_re);
-                const double steps = k / spacing, along = factors.along_rise / rise / steps;
+                const double steps = k / spacing, along = moves ? velocity.along_rise / rise / steps : 0;
                 to[direction_x * lanes] = static_cast<float>(m * along);
                 to[direction_z * lanes] = static_cast<float>(n * along);
                 *harmonic = harmonics[places.at(m).pair * lanes];
+                if (has_depth_)
+                    spectra.head_factors[static_cast<std::size_t>(harmonic - out.harmonics.data())] =
+                        static_cast<float>(head.head / rise);
             }
-    }
-}
-
-/// Computes the surface of one of a grid's spectra in its scratch memory.
-void WaterLevelRuns::transform(const Blend& blend, std::size_t number, bool is_velocity) {
-    const int resolution = layout_.levels.grids[number].resolution;
-    const FftTables& fft = transform_of(resolution).fft;
-    Scratch& scratch = scratch_[number];
-    const auto waves_of = [&](const Spectra& spectra) -> const PackedSpectrum& {
-        return is_velocity ? spectra[number].velocity : *spectra[number].head;
-    };
-    const PackedSpectrum& before = waves_of(*blend.before);
-    const std::size_t lanes = kernels_.lanes, all_lines = line_count(resolution);
-    for (std::size_t block = 0; block < line_blocks(resolution, lanes); ++block) {
-        if (blend.is_blend)
-            blend_waves(kernels_, before, waves_of(*blend.after), block, blend.weight, *blend.band_weights,
-                        scratch.blended.data());
-        (is_velocity ? kernels_.evolve_velocity_rows : kernels_.evolve_rows)(
-            {.waves = blend.is_blend ? scratch.blended.data() : before.block(block),
-             .harmonics = before.block_harmonics(block),
-             .fraction = blend.fraction,
-             .first_line = block * lanes,
-             .line_count = std::min(lanes, all_lines - block * lanes),
-             .fft = &fft,
-             .lines = scratch.surface.data(),
-             .first_frequency = blend.first_frequency});
-    }
-    const std::size_t block_floats = column_block_floats(resolution, lanes);
-    FrameBounds not_read;
-    for (std::size_t i = 0; i < column_block_pairs(resolution, lanes); ++i) {
-        const ColumnBlockPair pair = column_block_pair(resolution, lanes, i);
-        ColumnsFinalizeJob job{.blocks = {scratch.surface.data() + pair.first * block_floats, nullptr},
-                               .fft = &fft,
-                               .choppiness = 1,
-                               .cosine = blend.cosine,
-                               .sine = blend.sine,
-                               .bounds = &not_read};
-        if (pair.has_second) job.blocks[1] = scratch.surface.data() + pair.second * block_floats;
-        kernels_.columns_finalize(job);
     }
 }
 
 void WaterLevelRuns::compute(const Blend& blend, std::size_t number, WaterPlanes& planes) {
     if (number >= layout_.levels.count) return;
     const WaterGrid& grid = layout_.levels.grids[number];
-    const auto side = static_cast<std::size_t>(grid.resolution);
+    const FftTables& fft = transform_of(grid.resolution).fft;
+    const GridSpectra& of = (*blend.before)[number];
+    const PackedSpectrum& before = of.velocity;
+    const std::size_t side = static_cast<std::size_t>(grid.resolution), all_lines = line_count(grid.resolution);
     const std::size_t lanes = kernels_.lanes, row_floats = 4 * WaterLayout::row_texels(grid);
-    const float* const surface = scratch_[number].surface.data();
-    const auto copy = [&](std::size_t component, float* to) {
-        for (std::size_t row = 0; row < side; ++row, to += row_floats)
-            for (std::size_t column = 0; column < side; column += lanes) {
-                const float* const from = surface + column / lanes * column_block_floats(grid.resolution, lanes) +
-                                          (row * surface_components + component) * lanes;
-                for (std::size_t lane = 0; lane < lanes; ++lane) to[4 * (column + lane)] = from[lane];
-            }
-    };
     float* const texels = planes.of(number);
-    transform(blend, number, true);
-    for (const std::size_t component : {surface_dx, surface_height, surface_dz}) copy(component, texels + component);
-    if (has_depth_) {
-        transform(blend, number, false);
-        copy(surface_height, texels + 3);
+    for (std::size_t block = 0; block < line_blocks(grid.resolution, lanes); ++block) {
+        if (blend.is_blend)
+            blend_waves(kernels_, before, (*blend.after)[number].velocity, block, blend.weight, *blend.band_weights,
+                        blended_[number].data());
+        kernels_.water_rows(
+            {.waves = blend.is_blend ? blended_[number].data() : before.block(block),
+             .harmonics = before.block_harmonics(block),
+             .head_factors = has_depth_ ? of.head_factors.data() + block * before.pairs * lanes : nullptr,
+             .fraction = blend.fraction,
+             .first_frequency = blend.first_frequency,
+             .first_line = block * lanes,
+             .line_count = std::min(lanes, all_lines - block * lanes),
+             .fft = &fft,
+             .texels = texels,
+             .row_floats = row_floats});
     }
+    for (std::size_t column = 0; column < side; column += lanes)
+        kernels_.water_columns({.texels = texels,
+                                .row_floats = row_floats,
+                                .first_column = column,
+                                .has_head = has_depth_,
+                                .fft = &fft,
+                                .cosine = blend.cosine,
+                                .sine = blend.sine});
     for (std::size_t row = 0; row < side; ++row)
         std::memcpy(texels + row * row_floats + 4 * side, texels + row * row_floats,
                     4 * WaterLevels::repeated * sizeof(float));
 }
 
 std::size_t WaterLevelRuns::stack_bytes() const {
-    return 24 * static_cast<std::size_t>(transforms_.back()->fft.size) * kernels_.lanes;
+    return 32 * static_cast<std::size_t>(transforms_.back()->fft.size) * kernels_.lanes;
 }
 
 std::size_t WaterLevelRuns::bytes() const {
     std::size_t bytes = 0;
     for (const auto& transform : transforms_) bytes += sizeof(Transform) + transform->plan.bytes();
-    for (const Scratch& of : scratch_) bytes += sizeof(Scratch) + of.surface.bytes() + of.blended.bytes();
+    for (const AlignedBuffer<float>& waves : blended_) bytes += sizeof waves + waves.bytes();
     return bytes;
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "pelagic/sim/buffers/water_planes.hpp"
@@ -28,8 +27,11 @@ class WaterLevelRuns {
 
     /// The waves of a grid.
     struct GridSpectra {
-        PackedSpectrum velocity;
-        std::optional<PackedSpectrum> head;  ///< unless there is only the velocity at the surface
+        PackedSpectrum velocity;  ///< height: the integral of the vertical velocity over time
+        /// WaterRowsJob::head_factors of all blocks; empty if there is only the velocity at the surface.
+        AlignedBuffer<float> head_factors;
+
+        std::size_t bytes() const { return velocity.bytes() + head_factors.bytes(); }
     };
     using Spectra = std::vector<GridSpectra>;
     Spectra empty_spectra(const WaterLayout& layout) const;
@@ -65,15 +67,6 @@ class WaterLevelRuns {
         FftTables fft;
     };
     const Transform& transform_of(int resolution) const;
-    void bake(const PackedSpectrum& of, const FftPlan& plan, const CascadePlan& cascade, double water_m,
-              const WaterGrid& grid, bool is_velocity, PackedSpectrum& out) const;
-
-    /// Memory of a grid.
-    struct Scratch {
-        AlignedBuffer<float> surface;  ///< lines, later the surface
-        AlignedBuffer<float> blended;  ///< waves of one block of lines
-    };
-    void transform(const Blend& blend, std::size_t grid, bool is_velocity);
 
     int resolution_;
     bool has_depth_;
@@ -81,7 +74,7 @@ class WaterLevelRuns {
     Allocator memory_;
     std::vector<std::unique_ptr<const Transform>> transforms_;
     WaterLayout layout_;
-    std::vector<Scratch> scratch_;
+    std::vector<AlignedBuffer<float>> blended_;  ///< waves of one block of lines, by grid
 };
 
 /// Blends a block of lines of two spectra. \param band_weights  empty: all waves have one weight

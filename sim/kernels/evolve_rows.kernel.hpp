@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "pelagic/sim/kernels/fft.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
@@ -35,7 +36,8 @@ template <class Arch>
 struct HeightOfWaves {
     using V = xsimd::batch<float, Arch>;
     using U = xsimd::batch<std::uint32_t, Arch>;
-    explicit HeightOfWaves(const EvolveRowsJob& job) : fraction(job.fraction) {}
+    template <class Job>
+    explicit HeightOfWaves(const Job& job) : fraction(job.fraction) {}
     PELAGIC_INLINE Rotation<Arch> operator()(U harmonic) const {
         return rotation_of_turns<Arch>(harmonic * fraction);
     }
@@ -48,10 +50,11 @@ template <class Arch>
 struct VelocityOfWaves {
     using V = xsimd::batch<float, Arch>;
     using U = xsimd::batch<std::uint32_t, Arch>;
-    explicit VelocityOfWaves(const EvolveRowsJob& job)
+    template <class Job>
+    explicit VelocityOfWaves(const Job& job)
         : height(job), first_frequency(job.first_frequency), minus_first_frequency(0.f - job.first_frequency) {}
-    PELAGIC_INLINE Rotation<Arch> operator()(U harmonic) const {
-        const Rotation<Arch> phase = height(harmonic);
+    PELAGIC_INLINE Rotation<Arch> operator()(U harmonic) const { return at(height(harmonic), harmonic); }
+    PELAGIC_INLINE Rotation<Arch> at(const Rotation<Arch>& phase, U harmonic) const {
         const V periods = xsimd::to_float(same_bits<xsimd::batch<std::int32_t, Arch>>(harmonic));
         return {phase.cosine * (periods * first_frequency), phase.sine * (periods * minus_first_frequency)};
     }
@@ -66,25 +69,27 @@ struct EvolvedGroup {
 };
 
 /// Executes the first step of the three transforms on the waves of one group.
+/// \tparam Fields  of each element of the data
 /// \param wave  wave(s) returns the quantities of wave s
 /// \param mirrored  true if the group has the waves (-kx, kz)
 ///
 /// The products of i d with the directions along x and z are (-x_im, x_re) and (-z_im, z_re). They
 /// give P = -(Dx + i Dz), R = -i (Dx - i Dz).
-template <class Arch, std::size_t Radix, class Wave>
-PELAGIC_INLINE void first_step(const EvolvedGroup<Arch, Radix>& group, Wave wave, bool mirrored, float* to) {
+template <class Arch, std::size_t Fields = fields, std::size_t Radix, class Wave>
+PELAGIC_INLINE void first_step(const Complex<Arch> (&h)[Radix], const Complex<Arch> (&d)[Radix], Wave wave,
+                               bool mirrored, float* to) {
     using V = xsimd::batch<float, Arch>;
     using C = Complex<Arch>;
-    constexpr std::size_t point = 2 * V::size, element = fields * point;
-    butterfly<Arch, Radix>([&](std::size_t s) { return group.h[s]; },
+    constexpr std::size_t point = 2 * V::size, element = Fields * point;
+    butterfly<Arch, Radix>([&](std::size_t s) { return h[s]; },
                            OutputsApart<Arch>{to + field_h * point, element});
     C p[Radix], r[Radix];
     for (std::size_t s = 0; s < Radix; ++s) {
         const V along = V::load_aligned(wave(s) + direction_x * V::size);
         const V x = mirrored ? V(0.f) - along : along;
         const V z = V::load_aligned(wave(s) + direction_z * V::size);
-        const V x_re = x * group.d[s].re, x_im = x * group.d[s].im;
-        const V z_re = z * group.d[s].re, z_im = z * group.d[s].im;
+        const V x_re = x * d[s].re, x_im = x * d[s].im;
+        const V z_re = z * d[s].re, z_im = z * d[s].im;
         p[s] = {x_im + z_re, z_im - x_re};
         r[s] = {x_re + z_im, x_im - z_re};
     }
@@ -118,31 +123,30 @@ PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& 
         minus.d[Radix - 1 - s] = height_of_wave<Arch>(wave + minus_cos_re * V::size, leant);
     }
     const GroupPair pair = job.fft->pairs[number];
-    first_step<Arch>(plus, plus_wave, false, data + job.fft->positions[pair.plus] * element);
-    if (HasNegatives) first_step<Arch>(minus, minus_wave, true, data + job.fft->positions[pair.minus] * element);
+    first_step<Arch>(plus.h, plus.d, plus_wave, false, data + job.fft->positions[pair.plus] * element);
+    if (HasNegatives) first_step<Arch>(minus.h, minus.d, minus_wave, true, data + job.fft->positions[pair.minus] * element);
 }
 
 /// Executes all steps except the last. The last step combines subtransforms by the remainder of kx.
 /// A subtransform and its negative are evaluated and transformed together, while their data is in
 /// the first-level cache.
-template <class Arch, std::size_t FirstRadix, class OfWaves>
-inline void evolve_and_transform_blocks(const EvolveRowsJob& job, float* data) {
-    constexpr std::size_t element = fields * 2 * xsimd::batch<float, Arch>::size;
-    const FftTables& fft = *job.fft;
+/// \param evolve_pair  evolve_pair(number, has_negatives) evaluates a pair of groups
+template <class Arch, std::size_t Fields, class EvolvePair>
+inline void evolve_and_transform_blocks(const FftTables& fft, float* data, EvolvePair evolve_pair) {
+    constexpr std::size_t element = Fields * 2 * xsimd::batch<float, Arch>::size;
     const std::size_t blocks = static_cast<std::size_t>(fft.last_step().radix);
     const std::size_t block_size = static_cast<std::size_t>(fft.last_step().span);
-    const OfWaves of_waves(job);
 
     for (std::size_t block = 0; block <= blocks / 2; ++block) {
         for (std::size_t number = fft.first_pair[block]; number < fft.first_pair[block + 1]; ++number) {
             if (fft.pairs[number].is_own_negative())
-                evolve_group_pair<Arch, FirstRadix, false>(job, of_waves, number, data);
+                evolve_pair(number, std::false_type());
             else
-                evolve_group_pair<Arch, FirstRadix, true>(job, of_waves, number, data);
+                evolve_pair(number, std::true_type());
         }
         const std::size_t negative = (blocks - block) % blocks;
-        middle_steps<Arch, fields>(data + block * block_size * element, block_size, fft);
-        if (negative != block) middle_steps<Arch, fields>(data + negative * block_size * element, block_size, fft);
+        middle_steps<Arch, Fields>(data + block * block_size * element, block_size, fft);
+        if (negative != block) middle_steps<Arch, Fields>(data + negative * block_size * element, block_size, fft);
     }
 }
 
@@ -162,25 +166,20 @@ PELAGIC_INLINE void transpose_lines(const float* data, float* lines) {
     transpose(4, r_re), transpose(5, r_im);
 }
 
-/// Executes the last step of the three fields. As soon as W adjacent elements along x are complete,
-/// they are transposed, so that each row of lines is written once and as a whole.
-template <class Arch, std::size_t Radix, std::size_t Lines>
-PELAGIC_FLATTEN void last_step_transposed(const EvolveRowsJob& job, float* data) {
+/// Executes the last step of all fields. As soon as W adjacent elements along x are complete, they are
+/// transposed, so that each row of lines is written once and as a whole.
+/// \param transpose  transpose(x) stores W elements from x on
+template <class Arch, std::size_t Radix, std::size_t Fields, class Transpose>
+PELAGIC_FLATTEN void last_step_transposed(const FftTables& fft, float* data, Transpose transpose) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
-    constexpr std::size_t point = 2 * lanes, element = fields * point;
-    const FftTables& fft = *job.fft;
+    constexpr std::size_t point = 2 * lanes, element = Fields * point;
     const FftStep& step = fft.last_step();
     const std::size_t span = static_cast<std::size_t>(step.span);
     const std::size_t chunk = span < lanes ? span : lanes;
-    const std::size_t column_block = column_block_floats(fft.size, lanes);
-    float* const lines = job.lines + job.first_line * line_components * lanes;
-    const auto transpose = [=](std::size_t x) {
-        transpose_lines<Arch, Lines>(data + x * element, lines + x / lanes * column_block);
-    };
     const float* roots = fft.twiddles + step.first_twiddle;
     for (std::size_t first = 0; first < span; first += chunk) {
         for (std::size_t j = first; j < first + chunk; ++j, roots += 2 * Radix)
-            for (std::size_t field = 0; field < fields; ++field)
+            for (std::size_t field = 0; field < Fields; ++field)
                 join<Arch, Radix>(data + j * element + field * point, span * element, roots);
         if (chunk == lanes)
             for (std::size_t k = 0; k < Radix; ++k) transpose(k * span + first);
@@ -189,23 +188,45 @@ PELAGIC_FLATTEN void last_step_transposed(const EvolveRowsJob& job, float* data)
         for (std::size_t x = 0; x < Radix * span; x += lanes) transpose(x);
 }
 
+/// As above, where transpose_lines(x, count) stores W elements of each line, and `count` is the constant
+/// number of lines: W, or W/2 if N = 16 and W = 16.
+template <class Arch, std::size_t Fields, class TransposeLines>
+inline void last_step_of_lines(const FftTables& fft, std::size_t line_count, float* data,
+                               TransposeLines transpose_lines) {
+    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
+    const auto transpose = [&]<std::size_t Lines>(std::integral_constant<std::size_t, Lines> count) {
+        return [=](std::size_t x) PELAGIC_INLINE_LAMBDA { transpose_lines(x, count); };
+    };
+    const auto all = transpose(std::integral_constant<std::size_t, lanes>());
+    if (fft.last_step().radix == 8)
+        last_step_transposed<Arch, 8, Fields>(fft, data, all);
+    else if (line_count == lanes)
+        last_step_transposed<Arch, 4, Fields>(fft, data, all);
+    else
+        last_step_transposed<Arch, 4, Fields>(fft, data, transpose(std::integral_constant<std::size_t, lanes / 2>()));
+}
+
 template <class Arch, class OfWaves>
 inline void evolve_lines(const EvolveRowsJob& job) {
-    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
+    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size, element = line_components * lanes;
     const FftTables& fft = *job.fft;
     float* const data = PELAGIC_STACK_FLOATS(fields * workspace_floats<Arch>(fft));
-
+    const OfWaves of_waves(job);
+    const auto evolve = [&]<std::size_t FirstRadix>(std::integral_constant<std::size_t, FirstRadix>) {
+        evolve_and_transform_blocks<Arch, fields>(fft, data, [&](std::size_t number, auto has_negatives) {
+            evolve_group_pair<Arch, FirstRadix, has_negatives.value>(job, of_waves, number, data);
+        });
+    };
     if (fft.first_step().radix == 8)
-        evolve_and_transform_blocks<Arch, 8, OfWaves>(job, data);
+        evolve(std::integral_constant<std::size_t, 8>());
     else
-        evolve_and_transform_blocks<Arch, 4, OfWaves>(job, data);
+        evolve(std::integral_constant<std::size_t, 4>());
 
-    if (fft.last_step().radix == 8)
-        last_step_transposed<Arch, 8, lanes>(job, data);
-    else if (job.line_count == lanes)
-        last_step_transposed<Arch, 4, lanes>(job, data);
-    else  // N = 16 has 8 lines in 16 lanes
-        last_step_transposed<Arch, 4, lanes / 2>(job, data);
+    const std::size_t column_block = column_block_floats(fft.size, lanes);
+    float* const lines = job.lines + job.first_line * element;
+    last_step_of_lines<Arch, fields>(fft, job.line_count, data, [=](std::size_t x, auto count) PELAGIC_INLINE_LAMBDA {
+        transpose_lines<Arch, count.value>(data + x * fields * 2 * lanes, lines + x / lanes * column_block);
+    });
 }
 
 template <class Arch>

@@ -101,6 +101,32 @@ struct PresentCompression {
     std::uint8_t* bytes = nullptr;  ///< N^2; null: not written
 };
 
+/// Stage `water levels`, rows: evaluates the velocity and the head (sim/water_levels.hpp) of one block of
+/// lines, transforms them along x and stores lines in the grid's texels. Stack: 32 N W bytes.
+struct WaterRowsJob {
+    const float* waves;              ///< as in EvolveRowsJob, without lean; the height is the vertical velocity's
+    const std::uint32_t* harmonics;  ///< as in EvolveRowsJob
+    /// Factors of heights that give heads, by pair of waves and lane; null: only the velocity.
+    const float* head_factors;
+    std::uint32_t fraction;  ///< LoopFraction::turns
+    float first_frequency;   ///< as in EvolveRowsJob
+    std::size_t first_line, line_count;
+    const FftTables* fft;
+    float* texels;           ///< of the grid, aligned as registers; aliases no input
+    std::size_t row_floats;  ///< a multiple of a register
+};
+
+/// Stage `water levels`, columns: transforms W columns of lines along z in place, into texels of velocity
+/// and head. Stack: 8 N W bytes.
+struct WaterColumnsJob {
+    float* texels;
+    std::size_t row_floats;
+    std::size_t first_column;
+    bool has_head;
+    const FftTables* fft;
+    float cosine, sine;  ///< as in ColumnsFinalizeJob
+};
+
 /// Number of planes of averages that a mip level is computed from: scaled normal x, y, z, and J
 /// clamped to [-1, 1].
 inline constexpr std::size_t mip_planes = 4;
@@ -430,6 +456,8 @@ struct Kernels {
     void (*evolve_rows)(const EvolveRowsJob&);
     void (*evolve_velocity_rows)(const EvolveRowsJob&);
     void (*columns_finalize)(const ColumnsFinalizeJob&);
+    void (*water_rows)(const WaterRowsJob&);
+    void (*water_columns)(const WaterColumnsJob&);
     void (*gradients)(const GradientsJob&);
     void (*mip_level)(const MipLevelJob&);
     void (*slopes)(const SlopesJob&);

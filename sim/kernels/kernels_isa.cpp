@@ -19,6 +19,7 @@
 #include "pelagic/sim/kernels/snapshots.kernel.hpp"
 #include "pelagic/sim/kernels/stack_query.kernel.hpp"
 #include "pelagic/sim/kernels/surface_query.kernel.hpp"
+#include "pelagic/sim/kernels/water_levels.kernel.hpp"
 #include "pelagic/sim/kernels/wave_sums.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
@@ -35,6 +36,8 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::evolve_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::evolve_velocity_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::columns_finalize<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::water_rows<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::water_columns<xsimd::PELAGIC_ISA_ARCH>,
     kernels::gradients<xsimd::PELAGIC_ISA_ARCH>,
     kernels::mip_level<xsimd::PELAGIC_ISA_ARCH>,
     kernels::slopes<xsimd::PELAGIC_ISA_ARCH>,
