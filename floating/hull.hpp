@@ -182,6 +182,7 @@ struct HullWorkspace {
     };
     std::vector<Part> parts;
     std::vector<double> wake_m, wake_up_mps;
+    HullForce wake_push;  ///< of HullWake::push()
     struct Vertex {
         glm::dvec3 arm_m;         ///< from the centre of mass, world axes
         glm::dvec3 relative_mps;  ///< velocity of the hull relative to the water

@@ -162,8 +162,9 @@ void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point,
     const std::span<float> depths = ours(workspace.depth_m);
     workspace.depth_with_wake_m.assign(depths.begin(), depths.end());
     if (wake)
-        wake->leave_out(*water.frame_or_null(), ours(workspace.x), ours(workspace.z), depths,
-                        ours(workspace.velocity_y_mps), workspace.wake_m, workspace.wake_up_mps);
+        workspace.wake_push = wake->leave_out_and_push(*water.frame_or_null(), &state, ours(workspace.x),
+                                                       ours(workspace.z), depths, ours(workspace.velocity_y_mps),
+                                                       workspace.wake_m, workspace.wake_up_mps);
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
     const double m_per_pascal = 1 / (water.water_density_kgpm3() * gravity_mps2);
     workspace.vertices.resize(arms_m_.size());
@@ -287,7 +288,7 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
         change.acceleration_mps2.y = bottom_mps2 + middle_weight_ * (change.acceleration_mps2.y - bottom_mps2);
     }
     loads.water_acceleration_mps2 = change.acceleration_mps2 + glm::dvec3(0, wake_mps2, 0);
-    if (inputs.wake) loads.pressure += inputs.wake->push(*water.frame_or_null(), state);
+    if (inputs.wake) loads.pressure += workspace.wake_push;
     loads.stiffness = in_hull(world_stiffness(wet, weight_npm3, buoyancy_y_m3), axes);
 
     const glm::dmat3 to_hull = glm::transpose(axes);

@@ -11,6 +11,7 @@
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/float_environment.hpp"
+#include "pelagic/simd/four_floats.hpp"
 
 namespace pelagic {
 namespace {
@@ -26,118 +27,128 @@ constexpr double clock_slack = 0x1p-16;
 constexpr double fastest_mps = 1000;  // of footprints
 constexpr double longest_s = 1e6;     // between calls; more counts as this
 
-/// A footprint for many positions: depth_and_slope_at() with what does not depend on them computed
-/// once.
-class FootprintSampler {
-   public:
-    FootprintSampler() = default;
-    /// \param origin_x_m  added to positions, and origin_z_m
-    FootprintSampler(const PressureFootprint& of, double origin_x_m, double origin_z_m)
-        : depth_m_(of.depth_m.data()),
-          columns_(of.columns),
-          rows_(of.rows),
-          from_x_m_(origin_x_m - of.x_m),
-          from_z_m_(origin_z_m - of.z_m),
-          forward_x_(of.forward_x),
-          forward_z_(of.forward_z),
-          columns_per_m_(of.columns / of.length_m),
-          rows_per_m_(of.rows / of.beam_m),
-          middle_column_((of.columns - 1) / 2.0),
-          middle_row_((of.rows - 1) / 2.0) {}
+FourFloats smaller(FourFloats a, FourFloats b) { return a < b ? a : b; }
+FourFloats larger(FourFloats a, FourFloats b) { return a > b ? a : b; }
 
-    double depth_at(double x_m, double z_m) const {
-        const Place at = place_of(x_m, z_m);
-        if (!at.is_inside) return 0;
-        const Corners corners(*this, at);
-        return (1 - at.bottom) * corners.upper(at) + at.bottom * corners.lower(at);
+/// Four footprints of one hull, a lane each, at the texels of a grid. Depths are linear between the middles
+/// of cells, and fall to 0 half a cell outside the outermost ones.
+class FourFootprints {
+   public:
+    /// Sets a lane. \param x_m, z_m  of texel (0, 0), from the middle of the footprint
+    void set(std::size_t lane, const PressureFootprint& of, double x_m, double z_m, double texel_m) {
+        const double columns_per_m = of.columns / of.length_m, rows_per_m = of.rows / of.beam_m;
+        depth_m_[lane] = of.depth_m.data();
+        row_cells_ = of.columns;
+        const auto axis = [&](Axis& to, int cells, double first, double along, double across, double per_m) {
+            to.last = four_times(static_cast<float>(cells - 1));
+            to.last_cell = four_times(static_cast<float>(std::max(cells - 2, 0)));
+            to.first[lane] = static_cast<float>(first * per_m + (cells - 1) / 2.0);
+            to.along[lane] = static_cast<float>(along * per_m * texel_m);
+            to.across[lane] = static_cast<float>(across * per_m * texel_m);
+        };
+        axis(columns_, of.columns, x_m * of.forward_x + z_m * of.forward_z, of.forward_x, of.forward_z, columns_per_m);
+        axis(rows_, of.rows, z_m * of.forward_x - x_m * of.forward_z, -of.forward_z, of.forward_x, rows_per_m);
+        right_ = of.columns > 1 ? 1 : 0;
+        below_ = of.rows > 1 ? of.columns : 0;
     }
-    DepthAndSlope depth_and_slope_at(double x_m, double z_m) const {
-        const Place at = place_of(x_m, z_m);
-        if (!at.is_inside) return {};
-        const Corners corners(*this, at);
-        const double upper = corners.upper(at), lower = corners.lower(at);
-        const double ahead = columns_per_m_ * ((1 - at.bottom) * (corners.b - corners.a) +
-                                               at.bottom * (corners.d - corners.c));
-        const double abeam = rows_per_m_ * (lower - upper);
-        return {(1 - at.bottom) * upper + at.bottom * lower, forward_x_ * ahead - forward_z_ * abeam,
-                forward_z_ * ahead + forward_x_ * abeam};
+
+    /// Returns the depths at a texel.
+    [[gnu::always_inline]] FourFloats depths_m(int x, int z) const {
+        const Between column = columns_.between(x, z), row = rows_.between(x, z);
+        const FourFloats within = column.within * row.within;
+        if (!((within[0] + within[1]) + (within[2] + within[3]) > 0)) return FourFloats{};
+        const Four cell = __builtin_convertvector(
+            row.cell * four_times(static_cast<float>(row_cells_)) + column.cell, Four);
+        const float* const cells[] = {depth_m_[0] + cell[0], depth_m_[1] + cell[1], depth_m_[2] + cell[2],
+                                      depth_m_[3] + cell[3]};
+        const auto corners = [&](std::ptrdiff_t offset) {
+            return FourFloats{cells[0][offset], cells[1][offset], cells[2][offset], cells[3][offset]};
+        };
+        const FourFloats upper = lerp(corners(0), corners(right_), column.part);
+        const FourFloats lower = lerp(corners(below_), corners(below_ + right_), column.part);
+        return within * lerp(upper, lower, row.part);
+    }
+    /// Returns the derivatives of a lane's depth along x and z, times a texel.
+    std::array<float, 2> slope(std::size_t lane, int x, int z) const {
+        const float column = columns_.at(lane, x, z), row = rows_.at(lane, x, z);
+        const float last_column = columns_.last[0], last_row = rows_.last[0];
+        if (!(column > -1 && row > -1 && column < last_column + 1 && row < last_row + 1)) return {};
+        // Cells around the outermost ones are 0.
+        const int i = static_cast<int>(column + 1) - 1, j = static_cast<int>(row + 1) - 1;
+        const bool has_left = i >= 0, has_right = column < last_column, has_upper = j >= 0, has_lower = row < last_row;
+        const float* const cells = depth_m_[lane] + j * row_cells_ + i;
+        const float a = has_left && has_upper ? cells[0] : 0, b = has_right && has_upper ? cells[1] : 0;
+        const float c = has_left && has_lower ? cells[row_cells_] : 0,
+                    d = has_right && has_lower ? cells[row_cells_ + 1] : 0;
+        const float right = column - static_cast<float>(i), bottom = row - static_cast<float>(j);
+        const float ahead = (b - a) + bottom * ((d - c) - (b - a)), abeam = (c - a) + right * ((d - b) - (c - a));
+        return {ahead * columns_.along[lane] + abeam * rows_.along[lane],
+                ahead * columns_.across[lane] + abeam * rows_.across[lane]};
     }
 
    private:
-    /// A cell, from -1, and the position towards the next one.
-    struct Place {
-        bool is_inside = false;
-        int column = 0, row = 0;
-        double right = 0, bottom = 0;
-    };
-    Place place_of(double x_m, double z_m) const {
-        const double x = x_m + from_x_m_, z = z_m + from_z_m_;
-        const double column = (x * forward_x_ + z * forward_z_) * columns_per_m_ + middle_column_;
-        const double row = (z * forward_x_ - x * forward_z_) * rows_per_m_ + middle_row_;
-        if (!(column > -1 && column < columns_ && row > -1 && row < rows_)) return {};
-        // Positive numbers are cut, which is faster than to floor.
-        const int i = static_cast<int>(column + 1) - 1, j = static_cast<int>(row + 1) - 1;
-        return {true, i, j, column - i, row - j};
-    }
-    struct Corners {
-        double a = 0, b = 0, c = 0, d = 0;
+    using Four = std::int32_t __attribute__((vector_size(16)));
 
-        Corners(const FootprintSampler& of, const Place& at) {
-            if (static_cast<unsigned>(at.column) < static_cast<unsigned>(of.columns_ - 1) &&
-                static_cast<unsigned>(at.row) < static_cast<unsigned>(of.rows_ - 1)) {
-                const float* const cells = of.depth_m_ + at.row * of.columns_ + at.column;
-                a = cells[0], b = cells[1], c = cells[of.columns_], d = cells[of.columns_ + 1];
-                return;
-            }
-            const bool has_left = at.column >= 0, has_right = at.column + 1 < of.columns_;
-            const auto read = [&](int row, double& left, double& right) {
-                if (row < 0 || row >= of.rows_) return;
-                const float* const line = of.depth_m_ + row * of.columns_;
-                if (has_left) left = line[at.column];
-                if (has_right) right = line[at.column + 1];
-            };
-            read(at.row, a, b);
-            read(at.row + 1, c, d);
+    static FourFloats lerp(FourFloats a, FourFloats b, FourFloats part) { return a + part * (b - a); }
+
+    /// Cells, and the position between their middles and the next ones'.
+    struct Between {
+        FourFloats cell, part;
+        FourFloats within;  ///< factor of the depth: falls from 1 outside
+    };
+    struct Axis {
+        FourFloats first, along, across;  ///< of texel (0, 0), and per texel
+        FourFloats last, last_cell;       ///< middles, and cells that have a next one
+
+        float at(std::size_t lane, int x, int z) const {
+            return first[lane] + (along[lane] * static_cast<float>(x) + across[lane] * static_cast<float>(z));
         }
-        double upper(const Place& at) const { return (1 - at.right) * a + at.right * b; }
-        double lower(const Place& at) const { return (1 - at.right) * c + at.right * d; }
+        Between between(int x, int z) const {
+            const FourFloats zero{}, one = four_times(1);
+            const FourFloats at =
+                first + (along * four_times(static_cast<float>(x)) + across * four_times(static_cast<float>(z)));
+            const FourFloats inside = larger(smaller(at, last), zero), outside = at - inside;
+            const FourFloats whole = __builtin_convertvector(__builtin_convertvector(inside, Four), FourFloats);
+            const FourFloats cell = smaller(whole, last_cell);
+            return {cell, inside - cell, larger(one - larger(outside, -outside), zero)};
+        }
     };
 
-    const float* depth_m_ = nullptr;
-    int columns_ = 0, rows_ = 0;
-    double from_x_m_ = 0, from_z_m_ = 0, forward_x_ = 1, forward_z_ = 0;
-    double columns_per_m_ = 1, rows_per_m_ = 1, middle_column_ = 0, middle_row_ = 0;
+    std::array<const float*, 4> depth_m_{};
+    Axis columns_{}, rows_{};
+    int row_cells_ = 0;
+    std::ptrdiff_t right_ = 0, below_ = 0;  ///< from a cell to the next ones
 };
 
-/// Members of DynamicWavesSample.
-struct HeightAndVelocity {
-    double height_m = 0, velocity_mps = 0;
-};
-
-/// As sample(), without slopes and foam, which take most of its time.
-HeightAndVelocity height_and_velocity_at(const DynamicWavesView& view, double x_m, double z_m) {
-    if (!view) return {};
-    const double u = x_m / view.texel_m - static_cast<double>(view.first_x);
-    const double v = z_m / view.texel_m - static_cast<double>(view.first_z);
-    const double end = view.resolution - 2;
-    if (!(u >= 1 && v >= 1 && u < end && v < end)) return {};
-    const double column = std::floor(u), row = std::floor(v);
-    const std::size_t last = static_cast<std::size_t>(view.resolution) - 1;
-    const auto first = [last](std::int64_t of_grid, double number) {
-        return static_cast<std::size_t>(of_grid + static_cast<std::int64_t>(number)) & last;
-    };
-    const std::size_t left = first(view.first_x, column), right = (left + 1) & last;
-    const std::size_t upper = first(view.first_z, row), lower = (upper + 1) & last;
-    const std::size_t above = upper * (last + 1), below = lower * (last + 1);
-    const double along = u - column, across = v - row;
-    const auto mixed = [&](std::span<const float> texels) {
-        const auto between = [](double a, double b, double fraction) { return a + fraction * (b - a); };
-        const auto texel = [&](std::size_t at) { return static_cast<double>(texels[at]); };
-        return between(between(texel(above + left), texel(above + right), along),
-                       between(texel(below + left), texel(below + right), along), across);
-    };
-    return {mixed(view.height_m), mixed(view.vertical_velocity_mps)};
+/// Height and vertical velocity of dynamic waves: lanes 0 and 1.
+FourFloats height_and_velocity(const DynamicWavesView& view, std::size_t texel) {
+    return FourFloats{view.height_m[texel], view.vertical_velocity_mps[texel], 0, 0};
 }
+
+/// A cell of a grid, and the position in it.
+struct GridCell {
+    bool is_inside;
+    int column, row;
+    float right, bottom;
+
+    /// \param u, v  texels from the grid's edges
+    GridCell(const DynamicWavesView& view, double u, double v) {
+        const double outside = view.resolution;
+        u = std::min(std::max(u, 0.0), outside);
+        v = std::min(std::max(v, 0.0), outside);
+        column = static_cast<int>(u);
+        row = static_cast<int>(v);
+        const auto end = static_cast<unsigned>(view.resolution - 3);  // as DynamicWavesSample
+        is_inside = static_cast<unsigned>(column - 1) < end && static_cast<unsigned>(row - 1) < end;
+        right = static_cast<float>(u - column);
+        bottom = static_cast<float>(v - row);
+    }
+    FourFloats between(FourFloats a, FourFloats b, FourFloats c, FourFloats d) const {
+        const FourFloats along = four_times(right);
+        const FourFloats upper = a + along * (b - a), lower = c + along * (d - c);
+        return upper + four_times(bottom) * (lower - upper);
+    }
+};
 
 }  // namespace
 
@@ -310,140 +321,180 @@ void HullWake::press(const Frame& frame, const HullState& state, const HullLoads
     waves_->set_footprint(source_, next_);
 }
 
-/// The hull's own hollow in the dynamic waves of a frame. Positions are in the water's frame.
+/// The hull's own hollow in the dynamic waves of a frame. Texels are numbered from the grid's edges.
+///
+/// It is interpolated as DynamicWavesView interpolates ticks. A pressure that moves once a tick is that of
+/// an even motion at the middle of the tick, so the hollow at its end is the mean of this tick's and the
+/// next one's.
 struct HullWake::Hollow {
     const DynamicWavesOptions& options;
     const DynamicWavesView& view;
-    double texel_m, tick_s, fraction;
-    std::array<ActingFootprint, 4> last;   ///< of the next tick, of the last one, and before it
-    std::array<FootprintSampler, 4> depth;  ///< of the water's positions
-    /// Where the position of the last tick's footprint is that of the water's origin.
-    WaterFrame::Origin pressed_origin;
-    std::int64_t whole_from;  ///< texels from the grid's edge at which it shows the whole depth
+    double texel_m;
+    const PressureFootprint& pressed;   ///< of the last tick
+    WaterFrame::Origin pressed_origin;  ///< where its position is that of the water's origin
+    int base_x, base_z;                 ///< a texel near the pressure, from which its positions are exact
+    std::size_t wrap_x, wrap_z, last;   ///< from texels to those in memory
+    int whole_from;                     ///< texels from the grid's edge at which it shows the whole depth
+    FourFootprints footprints;          ///< of the next tick, of the last one, and before it
+    /// Weights of their depths, for the height and its velocity.
+    std::array<FourFloats, 4> weights;
 
+    /// \pre the frame has dynamic waves
     Hollow(const HullWake& wake, const Frame& frame)
         : options(wake.waves_->options()),
           view(frame.dynamic_waves),
-          texel_m(wake.waves_->options().side_m / wake.waves_->options().resolution),
-          tick_s(1.0 / wake.waves_->options().ticks_per_s),
-          whole_from(static_cast<std::int64_t>(0.5 * options.border_m / texel_m) + 3) {
+          texel_m(options.side_m / options.resolution),
+          pressed(*wake.acting_at(wake.tick_of(frame.time_s).tick, wake.tick_of(frame.time_s).tick).footprint),
+          wrap_x(static_cast<std::size_t>(view.first_x)),
+          wrap_z(static_cast<std::size_t>(view.first_z)),
+          last(static_cast<std::size_t>(view.resolution) - 1),
+          whole_from(static_cast<int>(0.5 * options.border_m / texel_m) + 3) {
         const FrameTick now = wake.tick_of(frame.time_s);
-        fraction = now.fraction;
-        const double now_s = frame.time_s - now.fraction * tick_s;
-        for (std::size_t i = 0; i < last.size(); ++i) {
-            last[i] = wake.acting_at(now.tick + 1 - static_cast<std::int64_t>(i), now.tick);
-            WaterFrame::Origin origin =
-                frame.water_frame.origin_at(now_s + (1 - static_cast<double>(i)) * tick_s);
-            origin.x_m -= last[i].moved_s * last[i].footprint->velocity_x_mps;
-            origin.z_m -= last[i].moved_s * last[i].footprint->velocity_z_mps;
-            depth[i] = FootprintSampler(*last[i].footprint, origin.x_m, origin.z_m);
-            if (i == 1) pressed_origin = origin;
+        const double tick_s = 1.0 / options.ticks_per_s, now_s = frame.time_s - now.fraction * tick_s;
+        std::array<ActingFootprint, 4> acting;
+        std::array<WaterFrame::Origin, 4> origins;
+        for (std::size_t i = 0; i < acting.size(); ++i) {
+            acting[i] = wake.acting_at(now.tick + 1 - static_cast<std::int64_t>(i), now.tick);
+            origins[i] = frame.water_frame.origin_at(now_s + (1 - static_cast<double>(i)) * tick_s);
+            origins[i].x_m -= acting[i].moved_s * acting[i].footprint->velocity_x_mps;
+            origins[i].z_m -= acting[i].moved_s * acting[i].footprint->velocity_z_mps;
         }
-    }
-
-    /// Returns the part of a texel's depth that the frame shows; 0 outside the grid.
-    double shown(std::int64_t x, std::int64_t z) const {
-        const auto part = [&](std::int64_t texel, std::int64_t first) {
-            const std::int64_t from_edge = std::min(texel - first, first + view.resolution - 1 - texel);
-            return from_edge >= whole_from ? 1 : shown_part(options, from_edge);
+        pressed_origin = origins[1];
+        const auto base_of = [&](double at_m, std::int64_t first) {
+            return static_cast<int>(
+                std::clamp(at_m / texel_m - static_cast<double>(first), 0.0, static_cast<double>(view.resolution)));
         };
-        return part(x, view.first_x) * part(z, view.first_z);
+        base_x = base_of(pressed.x_m - pressed_origin.x_m, view.first_x);
+        base_z = base_of(pressed.z_m - pressed_origin.z_m, view.first_z);
+        for (std::size_t i = 0; i < acting.size(); ++i) {
+            const PressureFootprint& of = *acting[i].footprint;
+            footprints.set(i, of, static_cast<double>(view.first_x + base_x) * texel_m + (origins[i].x_m - of.x_m),
+                           static_cast<double>(view.first_z + base_z) * texel_m + (origins[i].z_m - of.z_m),
+                           texel_m);
+        }
+        const auto fraction = static_cast<float>(now.fraction), rate = static_cast<float>(options.ticks_per_s);
+        weights = {FourFloats{fraction / 2, rate * (0.5f + fraction) / 2, 0, 0},
+                   FourFloats{0.5f, rate * (0.5f - fraction) / 2, 0, 0},
+                   FourFloats{(1 - fraction) / 2, -rate * (0.5f + fraction) / 2, 0, 0},
+                   FourFloats{0, -rate * (0.5f - fraction) / 2, 0, 0}};
     }
 
-    struct Depth {
-        double depth_m = 0, sinking_mps = 0;
-    };
-    /// The hollow at a texel, as DynamicWavesView interpolates ticks. A pressure that moves once a
-    /// tick is that of an even motion at the middle of the tick, so the hollow at its end is the mean
-    /// of this tick's and the next one's.
-    Depth at_texel(std::int64_t column, std::int64_t row) const {
-        const double x = static_cast<double>(column) * texel_m, z = static_cast<double>(row) * texel_m;
-        double at[4];
-        for (std::size_t i = 0; i < depth.size(); ++i) at[i] = depth[i].depth_at(x, z);
-        if (at[0] == 0 && at[1] == 0 && at[2] == 0 && at[3] == 0) return {};
-        const double hollow[] = {(at[0] + at[1]) / 2, (at[1] + at[2]) / 2, (at[2] + at[3]) / 2};
-        const double change = hollow[0] - hollow[1], change_before = hollow[1] - hollow[2];
-        const double part = shown(column, row);
-        return {part * (hollow[1] + fraction * change),
-                part * ((change + (fraction - 0.5) * (change - change_before)) / tick_s)};
+    std::size_t row_in_memory(int z) const { return ((wrap_z + static_cast<std::size_t>(z)) & last) * (last + 1); }
+    std::size_t column_in_memory(int x) const { return (wrap_x + static_cast<std::size_t>(x)) & last; }
+    /// Returns height and vertical velocity of dynamic waves. \pre the cell is inside
+    FourFloats with(const GridCell& cell) const {
+        const std::size_t left = column_in_memory(cell.column), right = column_in_memory(cell.column + 1);
+        const std::size_t upper = row_in_memory(cell.row), lower = row_in_memory(cell.row + 1);
+        return cell.between(height_and_velocity(view, upper + left), height_and_velocity(view, upper + right),
+                            height_and_velocity(view, lower + left), height_and_velocity(view, lower + right));
+    }
+    /// Returns the part of a texel's depth that the frame shows.
+    float shown(int x, int z) const {
+        const auto part = [&](int texel) {
+            const int from_edge = std::min(texel, view.resolution - 1 - texel);
+            return from_edge >= whole_from ? 1.f : static_cast<float>(shown_part(options, from_edge));
+        };
+        return part(x) * part(z);
+    }
+    /// Returns height and vertical velocity without the hollow at a texel.
+    FourFloats without(int x, int z) const {
+        const FourFloats depths_m = footprints.depths_m(x - base_x, z - base_z);
+        FourFloats hollow = four_times(depths_m[0]) * weights[0];
+        for (std::size_t i = 1; i < weights.size(); ++i) hollow += four_times(depths_m[i]) * weights[i];
+        return height_and_velocity(view, row_in_memory(z) + column_in_memory(x)) + four_times(shown(x, z)) * hollow;
     }
 };
 
-/// Samples of a hollow. Vertices of a hull have texels in common, so each texel's hollow is kept in a
-/// table by the last bits of its column and row, until another texel takes its place. The order of
-/// samples does not change them.
+/// Samples of dynamic waves without a hollow. Vertices of a hull have texels in common, so each texel is
+/// kept in a table by the last bits of its column and row, until another texel takes its place. The order
+/// of samples does not change them.
 class HullWake::HollowSampler {
    public:
-    explicit HollowSampler(const Hollow& hollow) : hollow_(hollow) { column_.fill(none); }
+    explicit HollowSampler(const Hollow& hollow) : hollow_(hollow) { number_.fill(-1); }
 
-    /// Bilinear between texels, as the grid.
-    Hollow::Depth at(double x_m, double z_m) {
-        const double u = x_m / hollow_.texel_m, v = z_m / hollow_.texel_m;
-        const double column = std::floor(u), row = std::floor(v);
-        if (!(std::fabs(column) < 0x1p40 && std::fabs(row) < 0x1p40)) return {};
-        const double right = u - column, bottom = v - row;
-        const auto i = static_cast<std::int64_t>(column), j = static_cast<std::int64_t>(row);
-        const Hollow::Depth upper = between(texel(i, j), texel(i + 1, j), right);
-        const Hollow::Depth lower = between(texel(i, j + 1), texel(i + 1, j + 1), right);
-        return between(upper, lower, bottom);
+    /// Bilinear between texels, as the grid. \pre the cell is inside
+    FourFloats at(const GridCell& cell) {
+        const int x = cell.column, z = cell.row;
+        const int left = x & (columns - 1), right = (x + 1) & (columns - 1);
+        const int upper = (z & (rows - 1)) * columns, lower = ((z + 1) & (rows - 1)) * columns;
+        const int number = number_of(x, z);
+        return cell.between(texel(upper + left, number), texel(upper + right, number + number_of(1, 0)),
+                            texel(lower + left, number + number_of(0, 1)),
+                            texel(lower + right, number + number_of(1, 1)));
+    }
+    FourFloats at(int x, int z) {
+        return texel((z & (rows - 1)) * columns + (x & (columns - 1)), number_of(x, z));
     }
 
    private:
-    static constexpr std::int64_t columns = 32, rows = 16;
-    static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+    static constexpr int columns = 32, rows = 16;
 
-    static Hollow::Depth between(const Hollow::Depth& a, const Hollow::Depth& b, double fraction) {
-        return {a.depth_m + fraction * (b.depth_m - a.depth_m),
-                a.sinking_mps + fraction * (b.sinking_mps - a.sinking_mps)};
+    static int number_of(int x, int z) { return z << 12 | x; }
+    FourFloats texel(int place, int number) {
+        const auto at = static_cast<std::size_t>(place);
+        if (number_[at] != number) [[unlikely]] compute(at, number);
+        return texels_[at];
     }
-    Hollow::Depth texel(std::int64_t column, std::int64_t row) {
-        const auto place = static_cast<std::size_t>((row & (rows - 1)) * columns + (column & (columns - 1)));
-        if (column_[place] != column || row_[place] != row) {
-            column_[place] = column;
-            row_[place] = row;
-            depth_[place] = hollow_.at_texel(column, row);
-        }
-        return depth_[place];
+    [[gnu::noinline]] void compute(std::size_t place, int number) {
+        number_[place] = number;
+        texels_[place] = hollow_.without(number & 0xfff, number >> 12);
     }
 
     const Hollow& hollow_;
-    std::array<std::int64_t, columns * rows> column_, row_;
-    std::array<Hollow::Depth, columns * rows> depth_;
+    std::array<std::int32_t, columns * rows> number_;
+    std::array<FourFloats, columns * rows> texels_;
 };
 
 void HullWake::leave_out(const Frame& frame, std::span<const double> x, std::span<const double> z,
                          std::span<float> height_m, std::span<float> velocity_y_mps,
                          std::span<double> wake_m, std::span<double> wake_up_mps) const {
+    leave_out_and_push(frame, nullptr, x, z, height_m, velocity_y_mps, wake_m, wake_up_mps);
+}
+
+HullForce HullWake::push(const Frame& frame, const HullState& state) const {
+    return leave_out_and_push(frame, &state, {}, {}, {}, {}, {}, {});
+}
+
+HullForce HullWake::leave_out_and_push(const Frame& frame, const HullState* state, std::span<const double> x,
+                                       std::span<const double> z, std::span<float> height_m,
+                                       std::span<float> velocity_y_mps, std::span<double> wake_m,
+                                       std::span<double> wake_up_mps) const {
     const std::size_t count = x.size();
     if (z.size() != count || height_m.size() != count || velocity_y_mps.size() != count ||
         !(wake_m.empty() || wake_m.size() == count) || !(wake_up_mps.empty() || wake_up_mps.size() == count))
         throw std::invalid_argument("x, z, height_m, velocity_y_mps, wake_m and wake_up_mps differ in length");
     const DefaultFloatEnvironment environment;
+    const DynamicWavesView& view = frame.dynamic_waves;
+    if (!view) {
+        std::fill(wake_m.begin(), wake_m.end(), 0);
+        std::fill(wake_up_mps.begin(), wake_up_mps.end(), 0);
+        return {};
+    }
     const Hollow hollow(*this, frame);
-    HollowSampler own_hollow(hollow);
+    HollowSampler without_hollow(hollow);
     const WaterFrame::Origin origin = frame.water_frame.origin_at(frame.time_s);
     const glm::dvec3 moved = pressure_m_ - hull_m_;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double at_x = x[i] - origin.x_m, at_z = z[i] - origin.z_m;
-        const double in_x = at_x + moved.x, in_z = at_z + moved.z;
-        const HeightAndVelocity here = height_and_velocity_at(frame.dynamic_waves, at_x, at_z),
-                                there = height_and_velocity_at(frame.dynamic_waves, in_x, in_z);
-        const Hollow::Depth own = own_hollow.at(in_x, in_z);
-        if (!wake_m.empty()) wake_m[i] = there.height_m + own.depth_m;
-        if (!wake_up_mps.empty()) wake_up_mps[i] = there.velocity_mps + own.sinking_mps;
-        height_m[i] = static_cast<float>(height_m[i] + there.height_m - here.height_m + own.depth_m);
-        velocity_y_mps[i] =
-            static_cast<float>(velocity_y_mps[i] + there.velocity_mps - here.velocity_mps + own.sinking_mps);
+    const double texels_per_m = 1 / hollow.texel_m;
+    const double edge_x = origin.x_m * texels_per_m + static_cast<double>(view.first_x),
+                 edge_z = origin.z_m * texels_per_m + static_cast<double>(view.first_z);
+    const double moved_x = moved.x * texels_per_m, moved_z = moved.z * texels_per_m;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double u = x[i] * texels_per_m - edge_x, v = z[i] * texels_per_m - edge_z;
+        const GridCell cell(view, u, v), cell_there(view, u + moved_x, v + moved_z);
+        const FourFloats here = cell.is_inside ? hollow.with(cell) : FourFloats{};
+        const FourFloats there = cell_there.is_inside ? without_hollow.at(cell_there) : FourFloats{};
+        if (!wake_m.empty()) wake_m[i] = static_cast<double>(there[0]);
+        if (!wake_up_mps.empty()) wake_up_mps[i] = static_cast<double>(there[1]);
+        height_m[i] += there[0] - here[0];
+        velocity_y_mps[i] += there[1] - here[1];
     }
+    return state ? push(hollow, without_hollow, *state) : HullForce{};
 }
 
-HullForce HullWake::push(const Frame& frame, const HullState& state) const {
-    const DefaultFloatEnvironment environment;
-    const DynamicWavesView& view = frame.dynamic_waves;
-    if (!view) return {};
-    const Hollow hollow(*this, frame);
+HullForce HullWake::push(const Hollow& hollow, HollowSampler& without_hollow, const HullState& state) const {
+    const DynamicWavesView& view = hollow.view;
     const double texel_m = hollow.texel_m;
-    const PressureFootprint& pressed = *hollow.last[1].footprint;
+    const PressureFootprint& pressed = hollow.pressed;
     const WaterFrame::Origin at = hollow.pressed_origin;
     // the rectangle, and half a cell around it
     const double ahead = (pressed.length_m + pressed.length_m / pressed.columns) / 2,
@@ -453,38 +504,36 @@ HullForce HullWake::push(const Frame& frame, const HullState& state) const {
     const double middle_x = pressed.x_m - at.x_m, middle_z = pressed.z_m - at.z_m;
     // The texels of the grid that it reaches, its end exclusive.
     const auto reached = [&](double middle_m, double reach_m, std::int64_t first) {
-        const double low = static_cast<double>(first), high = low + view.resolution;
-        return std::pair(
-            static_cast<std::int64_t>(std::clamp(std::ceil((middle_m - reach_m) / texel_m), low, high)),
-            static_cast<std::int64_t>(std::clamp(std::floor((middle_m + reach_m) / texel_m) + 1, low, high)));
+        const auto texel = [&](double at_m) { return at_m / texel_m - static_cast<double>(first); };
+        const double side = view.resolution;
+        return std::pair(static_cast<int>(std::clamp(std::ceil(texel(middle_m - reach_m)), 0.0, side)),
+                         static_cast<int>(std::clamp(std::floor(texel(middle_m + reach_m)) + 1, 0.0, side)));
     };
     const auto [first_x, end_x] = reached(middle_x, reach_x, view.first_x);
     const auto [first_z, end_z] = reached(middle_z, reach_z, view.first_z);
-    // the centre of mass at the pressure
-    const glm::dvec3 middle = middle_of_plan_m(state);
-    const double mass_x = middle_x - middle.x, mass_z = middle_z - middle.z;
-    const auto last = static_cast<std::size_t>(view.resolution) - 1;
-    HullForce sum;
-    for (std::int64_t row = first_z; row < end_z; ++row)
-        for (std::int64_t column = first_x; column < end_x; ++column) {
-            const double x = static_cast<double>(column) * texel_m, z = static_cast<double>(row) * texel_m;
-            const DepthAndSlope here = hollow.depth[1].depth_and_slope_at(x, z);
-            if (here.slope_x == 0 && here.slope_z == 0) continue;
-            // the depth of Hollow::at_texel()
-            double depth_m = 0.5 * here.depth_m + (1 - hollow.fraction) / 2 * hollow.depth[2].depth_at(x, z);
-            if (hollow.fraction > 0) depth_m += hollow.fraction / 2 * hollow.depth[0].depth_at(x, z);
-            const std::size_t texel = (static_cast<std::size_t>(row) & last) * (last + 1) +
-                                      (static_cast<std::size_t>(column) & last);
-            const double height_m =
-                static_cast<double>(view.height_m[texel]) + hollow.shown(column, row) * depth_m;
-            const glm::dvec3 force(height_m * here.slope_x, 0, height_m * here.slope_z);
-            sum.force_n += force;
-            sum.torque_nm += glm::cross(glm::dvec3(x - mass_x, 0, z - mass_z), force);
+    // Sums in texels from the base: of h grad d, and of its torque.
+    double force_x = 0, force_z = 0, torque = 0;
+    for (int row = first_z; row < end_z; ++row)
+        for (int column = first_x; column < end_x; ++column) {
+            const auto [slope_x, slope_z] =
+                hollow.footprints.slope(1, column - hollow.base_x, row - hollow.base_z);
+            if (slope_x == 0 && slope_z == 0) continue;
+            const float height = without_hollow.at(column, row)[0];
+            const double along = static_cast<double>(height * slope_x), across = static_cast<double>(height * slope_z);
+            force_x += along;
+            force_z += across;
+            torque += (row - hollow.base_z) * along - (column - hollow.base_x) * across;
         }
+    // Slopes are of a texel. The torque is about the centre of mass at the pressure.
+    const glm::dvec3 middle = middle_of_plan_m(state);
+    const double base_x_m = static_cast<double>(view.first_x + hollow.base_x) * texel_m - (middle_x - middle.x),
+                 base_z_m = static_cast<double>(view.first_z + hollow.base_z) * texel_m - (middle_z - middle.z);
+    const glm::dvec3 force_n(force_x / texel_m, 0, force_z / texel_m);
+    const glm::dvec3 torque_nm(0, torque + base_z_m * force_n.x - base_x_m * force_n.z, 0);
     // The launch makes waves that no hull would, and they would set it in motion.
     const double launched = launched_at(afloat_s_ - launch_s());
     const double weight = launched * hull_->options_.water_density_kgpm3 * gravity_mps2 * texel_m * texel_m;
-    return {weight * sum.force_n, weight * sum.torque_nm};
+    return {weight * force_n, weight * torque_nm};
 }
 
 }  // namespace pelagic

@@ -76,6 +76,15 @@ class HullWake {
     /// Heights at the vertices of a mesh, whose edges are longer than short waves, could drive it.
     HullForce push(const Frame& frame, const HullState& state) const;
 
+    /// Calls leave_out() and push(), which share most of their work.
+    /// \param state  for push(); null: without it
+    /// \returns the result of push(), or 0
+    /// \throws std::invalid_argument  as leave_out()
+    HullForce leave_out_and_push(const Frame& frame, const HullState* state, std::span<const double> x,
+                                 std::span<const double> z, std::span<float> height_m,
+                                 std::span<float> velocity_y_mps, std::span<double> wake_m,
+                                 std::span<double> wake_up_mps) const;
+
     /// Returns the pressure of the next tick.
     const PressureFootprint& footprint() const { return next_; }
 
@@ -106,6 +115,7 @@ class HullWake {
     void shape(PressureFootprint& footprint, const HullState& state, const HullLoads& loads, double tick_s);
     struct Hollow;
     class HollowSampler;
+    HullForce push(const Hollow& hollow, HollowSampler& without_hollow, const HullState& state) const;
 
     DynamicWaves* waves_;
     const Hull* hull_;
