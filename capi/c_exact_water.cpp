@@ -94,7 +94,8 @@ pelagic_status pelagic_exact_water_sample_surface(const pelagic_exact_water* wat
         const pelagic_points where = read_struct(points, "points");
         check_count(where.count);
         const SurfacePoints at{.x = positions_of(where.x, "points.x", where.count),
-                               .z = positions_of(where.z, "points.z", where.count)};
+                               .z = positions_of(where.z, "points.z", where.count),
+                               .footprint_m = footprint_of(where.footprint_m)};
         const SurfaceSamples to = surface_samples_of(read_struct(samples, "samples"), where.count);
         if (where.parallel != 0)
             ours.idle.use(ours.executor, [&](WaterJobs& jobs) { jobs.sample_surface(ours.water, at, to); });

@@ -7,6 +7,7 @@
 
 #include "pelagic/capi/c_ocean.hpp"
 #include "pelagic/capi/c_status.hpp"
+#include "pelagic/capi/c_water_points.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/surface_ray.hpp"
@@ -43,13 +44,18 @@ double tolerance_of(double tolerance_m, const pelagic_ocean& ocean) {
     return tolerance_m;
 }
 
-SurfacePoints points_of(const pelagic_points& points) {
+SurfacePoints points_of(const pelagic_ocean& ocean, const pelagic_points& points) {
     // The largest count whose size in bytes fits ptrdiff_t; no array in memory is larger.
     constexpr std::size_t max = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
     if (points.count > max)
         reject(invalid_value_message("points.count", points.count, "at most " + number_text(max)));
+    const double footprint_m = footprint_of(points.footprint_m);
+    if (footprint_m > 0 && !ocean.ocean.contents().depth)
+        reject("points.footprint_m needs an ocean that was created with pelagic_ocean_options.depth");
     if (points.count == 0) return {};
-    return {.x = {&needed(points.x, "points.x"), points.count}, .z = {&needed(points.z, "points.z"), points.count}};
+    return {.x = {&needed(points.x, "points.x"), points.count},
+            .z = {&needed(points.z, "points.z"), points.count},
+            .footprint_m = footprint_m};
 }
 
 /// Returns the elements [first, first + count) of the arrays.
@@ -75,7 +81,7 @@ class PointQuery {
     PointQuery(const pelagic_ocean& ocean, const pelagic_points& points, const pelagic_samples& samples)
         : ocean_(ocean),
           options_(query_options_of(ocean, points.tolerance_m, points.interpolation)),
-          points_(points_of(points)),
+          points_(points_of(ocean, points)),
           samples_(samples),
           is_parallel_(points.parallel != 0) {}
     /// Writes the results of a frame from element `first` on.

@@ -1,6 +1,4 @@
 // C interface of the water of a frame below its surface.
-#include <cmath>
-
 #include "pelagic/capi/c_ocean.hpp"
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/capi/c_water_points.hpp"
@@ -15,12 +13,6 @@ WaterQueryOptions water_query_options_of(const pelagic_ocean& ocean, const pelag
     WaterQueryOptions options{.surface = query_options_of(ocean, points.tolerance_m, points.interpolation)};
     if (points.water_density_kgpm3 != 0) options.water_density_kgpm3 = points.water_density_kgpm3;
     return options;
-}
-
-double footprint_of(double footprint_m) {
-    if (!(footprint_m >= 0 && std::isfinite(footprint_m)))
-        reject(invalid_value_message("points.footprint_m", footprint_m, "0 or more"));
-    return footprint_m;
 }
 
 }  // namespace
@@ -38,8 +30,7 @@ pelagic_status pelagic_ocean_sample_water(const pelagic_ocean* ocean, const pela
         if (!ocean->ocean.contents().depth)
             reject("the ocean has no water below its surface: it was created without pelagic_ocean_options.depth");
         const WaterQuery water(frame, water_query_options_of(*ocean, where));
-        WaterPoints at = water_points_of(where);
-        at.footprint_m = footprint_of(where.footprint_m);
+        const WaterPoints at = water_points_of(where);
         const WaterSamples to = water_samples_of(read_struct(samples, "samples"), where.count);
         if (where.parallel != 0)
             ocean->idle_water.use(ocean->executor, [&](WaterJobs& jobs) { jobs.sample(water, at, to); });

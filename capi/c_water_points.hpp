@@ -1,6 +1,7 @@
 // Conversion of points in the water and of arrays for their samples. All throw std::invalid_argument.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -42,12 +43,19 @@ inline WaterSamples water_samples_of(const pelagic_water_samples& from, std::siz
             .acceleration_z_mps2 = array(from.acceleration_z_mps2)};
 }
 
-/// Converts the positions of points that read_struct() has read.
+inline double footprint_of(double footprint_m) {
+    if (!(footprint_m >= 0 && std::isfinite(footprint_m)))
+        reject(invalid_value_message("points.footprint_m", footprint_m, "0 or more"));
+    return footprint_m;
+}
+
+/// Converts points that read_struct() has read.
 inline WaterPoints water_points_of(const pelagic_water_points& from) {
     check_count(from.count);
     return {.x = positions_of(from.x, "points.x", from.count),
             .y = positions_of(from.y, "points.y", from.count),
-            .z = positions_of(from.z, "points.z", from.count)};
+            .z = positions_of(from.z, "points.z", from.count),
+            .footprint_m = footprint_of(from.footprint_m)};
 }
 
 }  // namespace pelagic::capi

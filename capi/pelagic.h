@@ -1205,6 +1205,9 @@ typedef struct pelagic_points {
      * completed last. */
     uint64_t frame;
     double tolerance_m; /* as pelagic_ocean_options.query_tolerance_m; 0: that of the ocean */
+    /* Leaves out waves shorter than about this length, as pelagic_water_points.footprint_m; at least 0. Above 0 the
+     * ocean needs pelagic_ocean_options.depth. Velocities are then the water's own, and the Jacobian is 1. */
+    double footprint_m;
     size_t count;
     const double *x, *z; /* `count` values each; may be NULL if that is 0 */
 } pelagic_points;
@@ -1286,7 +1289,10 @@ typedef struct pelagic_water_points {
     int32_t interpolation; /* PELAGIC_INTERPOLATION_...; of the surface */
     uint64_t frame;        /* as pelagic_points.frame */
     double tolerance_m;    /* as pelagic_points.tolerance_m */
-    double footprint_m;    /* leaves out cascades that hold no wave of this length; at least 0 */
+    /* Leaves out waves shorter than about this length; at least 0. Exact water leaves out exactly these. In a frame,
+     * pressure keeps 90 % or more of waves of twice the footprint, and 14 % or less of waves of half of it, if these
+     * are in a cascade with texels of at most an eighth of the footprint; velocities do with texels of a sixteenth. */
+    double footprint_m;
     double water_density_kgpm3; /* [500, 2000]; 0: 1025 */
     size_t count;
     const double *x, *y, *z; /* `count` values each; may be NULL if that is 0 */

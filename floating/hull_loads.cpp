@@ -371,7 +371,7 @@ void HullWorkspace::sample(const WaterKinematics& water) {
     std::size_t first = 0;
     for (const Part& part : parts) {
         const auto of = [&](auto& all) { return std::span(all).subspan(first, part.end - first); };
-        water.sample({.x = of(x), .y = of(y), .z = of(z), .footprint_m = part.footprint_m},
+        water.sample({.x = of(x), .y = of(y), .z = of(z), .footprint_m = part.footprint_m, .whole_cascades = true},
                      {.depth_m = of(depth_m),
                       .pressure_pa = of(pressure_pa),
                       .velocity_x_mps = of(velocity_x_mps),

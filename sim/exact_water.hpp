@@ -79,7 +79,7 @@ class ExactWater final : public WaterKinematics {
     /// Samples the undisplaced surface: its height, its normal, and the velocity of the water there.
     /// The Jacobian is 1, the error 0, and each position with a sample has converged. Thread-safe.
     /// \throws std::invalid_argument  before it writes, for spans of another length than the points,
-    ///                                or foam
+    ///                                foam, or a footprint below 0
     void sample_surface(const SurfacePoints& points, const SurfaceSamples& samples) const;
     /// Checks points and arrays. \throws std::invalid_argument  what sample_surface() throws
     void check(const SurfacePoints& points, const SurfaceSamples& samples) const;
@@ -93,8 +93,8 @@ class ExactWater final : public WaterKinematics {
     bool has_sample(double x, double z) const;
     template <class Points>
     void load_positions(const Points& points, Chunk& chunk) const;
-    void sum_heights(Chunk& chunk) const;
-    void sum_water(Chunk& chunk) const;
+    void sum_heights(Chunk& chunk, double footprint_m) const;
+    void sum_water(Chunk& chunk, double footprint_m) const;
 
     std::shared_ptr<const Waves> waves_;
     std::unique_ptr<Moment> moment_;

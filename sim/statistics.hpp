@@ -136,6 +136,9 @@ struct SeaReport {
     double expected_convergence_variance = 0, realised_convergence_variance = 0;
     /// Sum of Cascade::level_m, by which heights are raised so that the mean level is 0, in metres.
     double expected_level_m = 0, realised_level_m = 0;
+    /// Fraction of the expected variance of the heights in waves that Velocities::water has: those of
+    /// WaterLevels::shortest_velocity_texels texels and longer. 0 without waves, and for a pond, whose water rests.
+    double velocity_share = 0;
     WaveDirections expected_directions;
     WaveDirections realised_directions;  ///< of this seed's waves
     /// Fetch that has an effect (jonswap), metres; none for other models. Less than

@@ -37,6 +37,7 @@
 namespace pelagic {
 
 struct Kernels;
+struct LevelSums;
 struct PointChunk;
 
 /// Interpolation of a frame between texels.
@@ -67,7 +68,14 @@ struct SurfaceQueryOptions {
 /// converged, and its other results are the quiet NaN 0x7fc00000.
 struct SurfacePoints {
     std::span<const double> x, z;  ///< equally long
+    /// Leaves out waves shorter than about this length, as WaterPoints::footprint_m; at least 0. Above 0 the frame needs
+    /// OceanOptions::depth, except for a pond. Velocities are then the water's own, and the Jacobian is 1: slopes are
+    /// those of the remaining heights, at the reference point of the drawn surface.
+    double footprint_m = 0;
 };
+
+/// \throws std::invalid_argument  if a footprint is below 0 or not finite
+void require_footprint(double footprint_m);
 
 /// Arrays that receive the results. Each span is as long as the points, or empty to leave that
 /// result out. No span may overlap another or the points.
@@ -108,7 +116,8 @@ class SurfaceQuery {
     /// Samples the surface at the points.
     /// \throws std::invalid_argument  before it writes, for spans of another length than the points,
     ///                                velocities of a frame made without OceanOptions::velocities,
-    ///                                or foam of one without foam, dynamic_waves and shore
+    ///                                foam of one without foam, dynamic_waves and shore, or a
+    ///                                footprint of one without depth
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
     /// Returns a query of this frame and tolerance with another interpolation.
@@ -141,6 +150,9 @@ class SurfaceQuery {
     void for_each_chunk(const SurfacePoints& points, Use use) const;
     template <class Query>
     void read_water_velocities(const Query& query, PointChunk& chunk) const;
+    /// Replaces what was read by the surface without waves shorter than the footprint.
+    template <class Query>
+    void read_without(std::span<const LevelSums> sums, const Query& query, PointChunk& chunk) const;
     bool cascades_have_foam() const { return frame_.has_foam; }
     /// Takes a position in the water.
     bool has_sample(double x, double z) const;

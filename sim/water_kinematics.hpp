@@ -20,8 +20,14 @@ struct Frame;
 /// Positions in the world, in metres: y is up, and 0 is the mean level of the sea.
 struct WaterPoints {
     std::span<const double> x, y, z;  ///< equally long
-    /// Of a frame, leaves out cascades that hold no wave of this length; at least 0.
+    /// Leaves out waves shorter than about this length, metres; at least 0. ExactWater leaves out exactly these. In a
+    /// frame, where the cascade of these waves has texels of at most an eighth of the footprint, pressure keeps 90 % or
+    /// more of waves of twice the footprint, and 14 % or less of waves of half of it; velocities do with texels of a
+    /// sixteenth. Water shallower than half of the footprint counts as a footprint of two depths. Waves of a pond remain,
+    /// and those of dynamic waves and a shore.
     double footprint_m = 0;
+    /// Of a frame, leaves out only cascades that hold no wave as long as the footprint, which takes no time.
+    bool whole_cascades = false;
 };
 
 /// Arrays that receive the results. Each span is as long as the points, or empty to leave that
@@ -50,12 +56,11 @@ class WaterKinematics {
     virtual const Frame* frame_or_null() const { return nullptr; }
 
     /// Samples the water at the points. Thread-safe.
-    /// \throws std::invalid_argument  before it writes, for spans of another length than the points, or
-    ///                                a point below the sea floor
+    /// \throws std::invalid_argument  before it writes, what require_valid() throws
     virtual void sample(const WaterPoints& points, const WaterSamples& samples) const = 0;
 
-    /// \throws std::invalid_argument  for spans of another length than the points, or a point below the
-    ///                                floor: "y[3] is -60, expected at least -50, the sea floor"
+    /// \throws std::invalid_argument  for spans of another length than the points, a footprint below 0, or a point
+    ///                                below the floor: "y[3] is -60, expected at least -50, the sea floor"
     void require_valid(const WaterPoints& points, const WaterSamples& samples) const;
 
    protected:

@@ -45,17 +45,32 @@ struct DepthLadder {
     std::array<float, max_levels> steps_per_m{};  ///< of the weights below each level
     std::size_t count = 0;                        ///< at least 3
     std::array<std::array<DepthWeights, steps + 1>, max_levels - 1> weights{};
+
+    /// What leaves out waves shorter than a footprint: a level's weight is the sum over the wave numbers of
+    /// `filter` times the fraction that remains of each (remaining_of()). `along` is for pressure and
+    /// horizontal velocity, `up` for vertical velocity.
+    struct Filter {
+        static constexpr std::size_t waves = 32;
+        using OfLevels = std::array<std::array<float, waves>, max_levels>;
+        std::array<float, waves> k{};  ///< rad/m
+        OfLevels along{}, up{};
+    };
+    Filter filter;
 };
 
 /// The levels of a cascade.
 struct WaterLevels {
     static constexpr int repeated = 4;
     static constexpr std::size_t max_grids = DepthLadder::max_levels - 1;
+    /// Shortest wave of the velocity at the surface, in texels of the cascade. Waves of fewer than six are
+    /// interpolated badly, but stacks hold much of their energy: without them velocities would be too small.
+    static constexpr double shortest_velocity_texels = 4.2;
 
     std::array<WaterGrid, max_grids> grids;
     /// 0: none; 1: only the velocity at the surface.
     std::size_t count = 0;
     double longest_wave_m = 0;  ///< of the cascade
+    double water_m = 0;         ///< depth of the water
     /// Level g of the velocity is that of grid g. Level 0 of the head is the surface, and level g + 1 is that
     /// of grid g.
     const DepthLadder *velocity = nullptr, *head = nullptr;

@@ -297,7 +297,7 @@ std::optional<float> OceanNode::height_at(const Vector3& place) {
     if (!asked) return {};
     const double x = place.x, z = place.z;
     float height = 0;
-    SurfaceQuery(*asked, query_options()).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
+    SurfaceQuery(*asked, query_options()).sample({{&x, 1}, {&z, 1}, settings_.footprint_m}, {.height_m = {&height, 1}});
     return height;
 }
 
@@ -316,7 +316,7 @@ std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
     for (auto& component : n) component.resize(count);
     for (auto& component : v) component.resize(settings_.velocities ? count : 0);
     heights.fill([&](std::span<float> room) {
-        SurfaceQuery(*asked, query_options()).sample({x_, z_}, {.height_m = room,
+        SurfaceQuery(*asked, query_options()).sample({x_, z_, settings_.footprint_m}, {.height_m = room,
                                            .normal_x = n[0],
                                            .normal_y = n[1],
                                            .normal_z = n[2],
@@ -357,8 +357,8 @@ std::unique_ptr<Table> OceanNode::sample_water(std::span<const Vector3> places) 
     }
     std::vector<float> depths(count), pressures(count);
     WaterQuery(*asked, {.surface = query_options()})
-        .sample({at[0], at[1], at[2]}, {depths, pressures, velocity[0], velocity[1], velocity[2], acceleration[0],
-                                        acceleration[1], acceleration[2]});
+        .sample({at[0], at[1], at[2], settings_.footprint_m}, {depths, pressures, velocity[0], velocity[1], velocity[2],
+                                                               acceleration[0], acceleration[1], acceleration[2]});
     auto answers = std::make_unique<Table>();
     answers->set("depth", Pool<float>(std::span<const float>(depths)).value());
     answers->set("pressure", Pool<float>(std::span<const float>(pressures)).value());

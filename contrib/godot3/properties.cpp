@@ -205,6 +205,10 @@ std::vector<OceanProperty> ocean_property_table() {
         choice("interpolation", "linear,cubic", &OceanSettings::interpolation,
                [](std::string_view name) { return value_named<Interpolation>(name).has_value(); }),
         ranged(
+            "footprint_m", type_real, 0, 1000, "0,1000,0.1", "[0, 1000]",
+            [](const OceanSettings& settings) { return settings.footprint_m; },
+            [](OceanSettings& settings, double value) { settings.footprint_m = value; }),
+        ranged(
             "threads", type_int, 0, 1024, "0,1024,1", "a whole number from 0 to 1024",
             [](const OceanSettings& settings) { return static_cast<double>(settings.threads); },
             [](OceanSettings& settings, double value) { settings.threads = static_cast<int>(value); }),

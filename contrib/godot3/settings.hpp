@@ -27,6 +27,7 @@ struct OceanSettings {
     SprayOptions spray_options;
     ShoreOptions shore;                    ///< no shore if heights_m is empty
     std::string interpolation = "linear";  ///< interpolation of queries: "linear" or "cubic"
+    double footprint_m = 0;                ///< queries leave out shorter waves
     std::string quality = "medium";        ///< level of detail, a name of quadtree_presets()
     double size_m = 2048;                  ///< side of the square of waves around the camera
 };

@@ -77,22 +77,24 @@ class ExactWater:
         with self._turn:
             call(library.pelagic_exact_water_set_time, self._handle, time_s)
 
-    def sample(self, points: ArrayLike) -> WaterSamples:
-        """Returns the water at points of shape (..., 3), in the world: x, y and z. Raises ValueError
-        for a point below the sea floor."""
+    def sample(self, points: ArrayLike, *, footprint_m: float = 0.0) -> WaterSamples:
+        """Returns the water at points of shape (..., 3), in the world: x, y and z, without waves
+        shorter than the footprint. Raises ValueError for a point below the sea floor."""
         def query(asked: Any, samples: Any) -> None:
             with self._turn:
                 call(library.pelagic_exact_water_sample, self._handle, asked, samples)
 
-        return _water.sample(points, query)
+        return _water.sample(points, query, footprint_m=number_of(footprint_m, "footprint_m"))
 
-    def sample_surface(self, points: ArrayLike) -> ExactSurface:
-        """Returns the surface, which is not displaced, at positions of shape (..., 2): x and z."""
+    def sample_surface(self, points: ArrayLike, *, footprint_m: float = 0.0) -> ExactSurface:
+        """Returns the surface, which is not displaced, at positions of shape (..., 2): x and z, without
+        waves shorter than the footprint."""
         array = rows_of(points, "points", 2, "x and z of each point")
         shape, rows = array.shape[:-1], array.reshape(-1, 2).T.copy()
         count = rows.shape[1]
         results: Any = {name: np.empty(count if name == "height" else (3, count), np.float32) for name in ("height", "normal", "velocity")}
-        asked = c.sized(c.pelagic_points, parallel=1, count=count, **_water.rows({"": rows}, "", ("x", "z")))
+        asked = c.sized(c.pelagic_points, parallel=1, count=count, footprint_m=number_of(footprint_m, "footprint_m"),
+                        **_water.rows({"": rows}, "", ("x", "z")))
         samples = c.sized(c.pelagic_samples, height_m=address_of(results["height"]), **_water.rows(results, "normal", ("normal_x", "normal_y", "normal_z")),
                           **_water.rows(results, "velocity", _water.VELOCITY))
         with self._turn:

@@ -401,16 +401,18 @@ class Frame:
         fields: Optional[Iterable[Field]] = None,
         tolerance_m: float = 0.001,
         interpolation: Interpolation = "linear",
+        footprint_m: float = 0.0,
     ) -> SurfaceSamples:
         """Samples the displaced surface at points of the world: query(points) or query(x, z).
 
         `fields` names the requested results; the default is all that the ocean's options provide.
         `interpolation` is that between texels: "linear" is the drawn surface, "cubic" preserves the
-        heights and slopes of short waves, for measurements. Results are reproducible: they depend
-        only on the frame, the point and the options. Warns if the points span more than the repeat
+        heights and slopes of short waves, for measurements. `footprint_m` leaves out waves shorter
+        than about this length, and requires Ocean(depth=True); velocities are then the water's own.
+        Results are reproducible: they depend only on the frame, the point and the options. Warns if the points span more than the repeat
         length of the longest waves.
         """
-        return _queries.query(self, points, z, fields, tolerance_m, interpolation)
+        return _queries.query(self, points, z, fields, tolerance_m, interpolation, footprint_m)
 
     def sample_water(
         self,
@@ -424,8 +426,8 @@ class Frame:
         """Returns the water at points of shape (..., 3), in the world: x, y and z. Requires
         Ocean(depth=True). Raises ValueError for a point below the sea floor.
 
-        `footprint_m` leaves out cascades that hold no wave of this length. The density of the water
-        is in [500, 2000].
+        `footprint_m` leaves out waves shorter than about this length. The density of the water is in
+        [500, 2000].
         """
         return _water.sample_frame(self, points, tolerance_m, interpolation, footprint_m, water_density_kgpm3)
 

@@ -538,6 +538,7 @@ class pelagic_points(ctypes.Structure):
         ("parallel", c_int32),
         ("frame", c_uint64),
         ("tolerance_m", c_double),
+        ("footprint_m", c_double),
         ("count", c_size_t),
         ("x", c_void_p),
         ("z", c_void_p),

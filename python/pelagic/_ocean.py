@@ -382,6 +382,7 @@ class Ocean:
         fields: Optional[Iterable[Field]] = None,
         tolerance_m: float = 0.001,
         interpolation: Interpolation = "cubic",
+        footprint_m: float = 0.0,
         repeats: bool = False,
     ) -> SurfaceSamples:
         """Returns the results of frame_at(time).query(points) for each of n times, while other
@@ -391,7 +392,7 @@ class Ocean:
         Raises ValueError if the times span more than the sea's loop, unless repeats is True. Warns
         like query().
         """
-        return _queries.series(self, points, times, fields, tolerance_m, interpolation, repeats)
+        return _queries.series(self, points, times, fields, tolerance_m, interpolation, footprint_m, repeats)
 
     def schedule_sea(self, sea: Sea, from_s: float, over_s: float, swell_from_m: float = 0.0) -> None:
         """Schedules a transition to another sea, from a time on and over a number of seconds.

@@ -191,7 +191,16 @@ def _write(results: Any, points: int, first: int, times: int, samples: Any, quer
     return result
 
 
-def _call_of(names: Tuple[str, ...], positions: _Positions, tolerance_m: float, interpolation: int, frame: int) -> _Call:
+def footprint_of(footprint_m: float, ocean: Ocean) -> float:
+    number = number_of(footprint_m, "footprint_m")
+    if not 0 <= number < math.inf:
+        raise ValueError(invalid("footprint_m", number_text(number), "0 or more"))
+    if number > 0 and not ocean._has_depth:
+        raise ValueError("footprint_m needs water below the surface: create the ocean with depth=True")
+    return number
+
+
+def _call_of(names: Tuple[str, ...], positions: _Positions, tolerance_m: float, interpolation: int, footprint_m: float, frame: int) -> _Call:
     idle = _idle_calls[names]
     try:
         call = idle.pop()
@@ -201,20 +210,22 @@ def _call_of(names: Tuple[str, ...], positions: _Positions, tolerance_m: float, 
     points.count = count = positions.count
     points.x, points.z, points.frame = positions.x, positions.z, frame
     points.interpolation, points.tolerance_m, points.parallel = interpolation, tolerance_m, count > _IN_ONE_JOB
+    points.footprint_m = footprint_m
     return call
 
 
-def query(frame: Frame, points: Any, z: Any, fields: Any, tolerance_m: float, interpolation: str) -> SurfaceSamples:
+def query(frame: Frame, points: Any, z: Any, fields: Any, tolerance_m: float, interpolation: str, footprint_m: float) -> SurfaceSamples:
     ocean, number = frame._ocean, frame._number
     ocean._enter_library(number)
     try:
         tolerance, of_interpolation = tolerance_of(tolerance_m), interpolation_of(interpolation)
+        footprint = footprint_of(footprint_m, ocean) if footprint_m != 0 else 0.0
         positions = _Positions(points, z)
         if positions.count > 1:
             positions.warn_of_span(frame._cascades[0].side_m)
         names = _wanted(fields, ocean)
         results = _empty_results(names, (), positions)
-        call = _call_of(names, positions, tolerance, of_interpolation, number)
+        call = _call_of(names, positions, tolerance, of_interpolation, footprint, number)
         status = _write(results, positions.count, 0, 1, call.samples, _ocean_query, ocean._handle, *call.pointers)
         _idle_calls[names].append(call)
     finally:
@@ -234,8 +245,10 @@ def _need_no_repetition(times: NDArray[np.float64], loop_s: float) -> None:
     raise ValueError(f"times span {number_text(span_s)} s, but the sea repeats after {number_text(loop_s)} s: {longer} repeats=True permits repetition")
 
 
-def series(ocean: Ocean, points: Any, times: Any, fields: Any, tolerance_m: float, interpolation: str, repeats: bool) -> SurfaceSamples:
-    tolerance, of_interpolation = tolerance_of(tolerance_m), interpolation_of(interpolation)
+def series(
+    ocean: Ocean, points: Any, times: Any, fields: Any, tolerance_m: float, interpolation: str, footprint_m: float, repeats: bool
+) -> SurfaceSamples:
+    tolerance, of_interpolation, footprint = tolerance_of(tolerance_m), interpolation_of(interpolation), footprint_of(footprint_m, ocean)
     positions = _Positions(points, None)
     moments = doubles_of(times, "times").copy()
     if moments.ndim != 1:
@@ -248,7 +261,7 @@ def series(ocean: Ocean, points: Any, times: Any, fields: Any, tolerance_m: floa
         _need_no_repetition(moments, number_of(ocean._sea.loop_period_s, "loop_period_s"))
     names = _wanted(fields, ocean)
     results = _empty_results(names, moments.shape, positions)
-    call = _call_of(names, positions, tolerance, of_interpolation, 0)
+    call = _call_of(names, positions, tolerance, of_interpolation, footprint, 0)
     with ocean._turn:
         _sample_frames(ocean, moments, positions, results, call)
     _idle_calls[names].append(call)

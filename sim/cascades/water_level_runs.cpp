@@ -14,11 +14,10 @@
 namespace pelagic {
 namespace {
 
-/// Shortest wave of the velocity at the surface, in texels of the cascade. Waves of fewer than six are
-/// interpolated badly, but stacks hold much of their energy: without them velocities would be too small.
-constexpr double shortest_of_velocity = 4.2;
 /// Depth of the first velocity below the surface, and shortest waves of the fits between levels, in texels.
 constexpr double first_velocity = 6, shortest_of_velocity_fit = 16, shortest_of_head_fit = 8;
+/// Shortest waves of a cascade that is given, and of one of a stack (spectrum/bands.cpp), in texels.
+constexpr double shortest_of_grid = 2, shortest_of_band = 3;
 /// A level replaces the bottom's if it lies higher than this part of the water's depth.
 constexpr double highest_bottom = 0.6;
 /// Texels of a plane over those of the cascade, times its depth in texels.
@@ -124,7 +123,10 @@ WaterLayout WaterLevelRuns::layout_of(const CascadePlan& plan, double water_m) c
     const double min_k = std::max(plan.min_k, plan.spacing());
     fit_weights(velocity, min_k, two_pi / (shortest_of_velocity_fit * texel_m), water_m);
     fit_weights(head, min_k, two_pi / (shortest_of_head_fit * texel_m), water_m);
+    fit_filter(velocity, min_k, two_pi / (WaterLevels::shortest_velocity_texels * texel_m), water_m);
+    fit_filter(head, min_k, two_pi / ((plan.is_banded() ? shortest_of_band : shortest_of_grid) * texel_m), water_m);
     layout.levels.count = velocity.count;
+    layout.levels.water_m = water_m;
     layout.levels.longest_wave_m = two_pi / min_k;
     for (std::size_t i = 0; i < velocity.count; ++i) {
         WaterGrid& grid = layout.levels.grids[i];
@@ -162,7 +164,7 @@ void WaterLevelRuns::bake(const PackedSpectrum& of, const FftPlan& plan, const C
     const int resolution = grid.resolution, radix = transform.fft.first_step().radix;
     const WavePlaces places(plan, resolution_);
     const double spacing = cascade.spacing();
-    const double largest_k = two_pi / (shortest_of_velocity * cascade.grid.side_m / cascade.resolution);
+    const double largest_k = two_pi / (WaterLevels::shortest_velocity_texels * cascade.grid.side_m / cascade.resolution);
     const std::size_t lanes = out.lanes;
     for (std::size_t line = 0; line < line_count(resolution); ++line) {
         const int n = static_cast<int>(line);

@@ -201,6 +201,7 @@ void ExactWater::check(const SurfacePoints& points, const SurfaceSamples& sample
                     std::pair("velocity_z_mps", samples.velocity_z_mps), std::pair("error_m", samples.error_m),
                     std::pair("converged", samples.converged));
     if (!samples.foam.empty()) throw std::invalid_argument("exact water has no foam");
+    require_footprint(points.footprint_m);
 }
 
 template <class Points>
@@ -215,20 +216,21 @@ void ExactWater::load_positions(const Points& points, Chunk& chunk) const {
     }
 }
 
-void ExactWater::sum_heights(Chunk& chunk) const {
+void ExactWater::sum_heights(Chunk& chunk, double footprint_m) const {
     for (std::size_t number = 0; number < waves_->cascades.size(); ++number) {
         const WaveList& cascade = waves_->cascades[number];
         const Chunk::Places places(chunk, cascade.grid());
-        for (std::size_t block = 0; block < cascade.block_count(); ++block)
-            waves_->kernels.sum_heights({.waves = cascade.block(moment_->moved[number], block),
+        cascade.for_each_block(moment_->moved[number], footprint_m, [&](const WaveBlock& waves) {
+            waves_->kernels.sum_heights({.waves = waves,
                                          .x = places.x.data(),
                                          .z = places.z.data(),
                                          .points = chunk.count,
                                          .heights = chunk.height.data()});
+        });
     }
 }
 
-void ExactWater::sum_water(Chunk& chunk) const {
+void ExactWater::sum_water(Chunk& chunk, double footprint_m) const {
     using Job = SumWaterJob;
     for (std::size_t i = 0; i < chunk.count; ++i) chunk.sums[i] = {};
     for (std::size_t number = 0; number < waves_->cascades.size(); ++number) {
@@ -241,13 +243,14 @@ void ExactWater::sum_water(Chunk& chunk) const {
             decay[i] = chunk.depth[i] < 0 ? no_waves : static_cast<float>(spacing * chunk.depth[i]);
             sums[i] = {};
         }
-        for (std::size_t block = 0; block < cascade.block_count(); ++block)
-            waves_->kernels.sum_water({.waves = cascade.block(moment_->moved[number], block),
+        cascade.for_each_block(moment_->moved[number], footprint_m, [&](const WaveBlock& waves) {
+            waves_->kernels.sum_water({.waves = waves,
                                        .x = places.x.data(),
                                        .z = places.z.data(),
                                        .decay = decay.data(),
                                        .points = chunk.count,
                                        .all = sums.front().data()});
+        });
         for (std::size_t i = 0; i < chunk.count; ++i) {
             const auto flow = cascade.grid().in_world(sums[i][Job::along], sums[i][Job::across]);
             const auto slope = cascade.grid().in_world(sums[i][Job::slope_along], sums[i][Job::slope_across]);
@@ -273,11 +276,12 @@ void ExactWater::sample(const WaterPoints& points, const WaterSamples& samples) 
     }();
     const double floor_m = waves_->depth_m;
     const WaterFrame& frame = waves_->frame;
+    const double footprint_m = points.whole_cascades ? 0 : points.footprint_m;
     Chunk chunk;
     for (; chunk.first < points.x.size(); chunk.first += chunk.count) {
         chunk.count = std::min(Chunk::capacity, points.x.size() - chunk.first);
         load_positions(points, chunk);
-        sum_heights(chunk);
+        sum_heights(chunk, footprint_m);
         for (std::size_t i = 0; i < chunk.count; ++i) {
             const double y = points.y[chunk.first + i] - moment_->origin.y_m, below = chunk.height[i] - y;
             chunk.has_sample[i] = chunk.has_sample[i] && std::isfinite(y);
@@ -285,7 +289,7 @@ void ExactWater::sample(const WaterPoints& points, const WaterSamples& samples) 
             const bool is_water = chunk.has_sample[i] && floor_m + chunk.height[i] > 0;
             chunk.depth[i] = is_water ? floor_m * std::max(below, 0.0) / (floor_m + chunk.height[i]) : -1;
         }
-        if (has_motion) sum_water(chunk);
+        if (has_motion) sum_water(chunk, footprint_m);
         for (std::size_t i = 0; i < chunk.count; ++i) {
             const std::size_t at = chunk.first + i;
             const double y = points.y[at] - moment_->origin.y_m;
@@ -322,7 +326,7 @@ void ExactWater::sample_surface(const SurfacePoints& points, const SurfaceSample
     for (; chunk.first < points.x.size(); chunk.first += chunk.count) {
         chunk.count = std::min(Chunk::capacity, points.x.size() - chunk.first);
         load_positions(points, chunk);
-        sum_water(chunk);
+        sum_water(chunk, points.footprint_m);
         for (std::size_t i = 0; i < chunk.count; ++i) {
             const std::size_t at = chunk.first + i;
             const bool has_sample = chunk.has_sample[i];

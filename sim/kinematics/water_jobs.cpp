@@ -55,7 +55,8 @@ void WaterJobs::sample(const WaterKinematics& water, const WaterPoints& points, 
     water.require_valid(points, samples);
     state_->run(points.x.size(), [&](std::size_t begin, std::size_t count) {
         const auto of = [begin, count](auto all) { return all.empty() ? all : all.subspan(begin, count); };
-        water.sample({.x = of(points.x), .y = of(points.y), .z = of(points.z), .footprint_m = points.footprint_m},
+        water.sample({.x = of(points.x), .y = of(points.y), .z = of(points.z), .footprint_m = points.footprint_m,
+                      .whole_cascades = points.whole_cascades},
                      {.depth_m = of(samples.depth_m),
                       .pressure_pa = of(samples.pressure_pa),
                       .velocity_x_mps = of(samples.velocity_x_mps),
@@ -72,7 +73,7 @@ void WaterJobs::sample_surface(const ExactWater& water, const SurfacePoints& poi
     water.check(points, samples);
     state_->run(points.x.size(), [&](std::size_t begin, std::size_t count) {
         const auto of = [begin, count](auto all) { return all.empty() ? all : all.subspan(begin, count); };
-        water.sample_surface({.x = of(points.x), .z = of(points.z)},
+        water.sample_surface({.x = of(points.x), .z = of(points.z), .footprint_m = points.footprint_m},
                              {.height_m = of(samples.height_m),
                               .normal_x = of(samples.normal_x),
                               .normal_y = of(samples.normal_y),

@@ -15,6 +15,11 @@ WaterKinematics::WaterKinematics(double water_density_kgpm3, double time_s)
         throw std::invalid_argument(invalid_value_message("water_density_kgpm3", water_density_kgpm3, "[500, 2000]"));
 }
 
+void require_footprint(double footprint_m) {
+    if (!(footprint_m >= 0 && std::isfinite(footprint_m)))
+        throw std::invalid_argument(invalid_value_message("footprint_m", footprint_m, "0 or more"));
+}
+
 void WaterKinematics::require_valid(const WaterPoints& points, const WaterSamples& samples) const {
     const std::size_t count = points.x.size();
     const auto need = [count](const char* name, std::size_t size, const char* else_accepted) {
@@ -32,6 +37,7 @@ void WaterKinematics::require_valid(const WaterPoints& points, const WaterSample
           std::pair("acceleration_y_mps2", samples.acceleration_y_mps2),
           std::pair("acceleration_z_mps2", samples.acceleration_z_mps2)})
         if (!values.empty()) need(name, values.size(), " or none");
+    require_footprint(points.footprint_m);
     const double lowest_m = floor_m();
     for (std::size_t i = 0; i < count; ++i)
         if (points.y[i] < lowest_m && std::isfinite(points.y[i]))

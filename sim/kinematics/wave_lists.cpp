@@ -107,4 +107,25 @@ WaveBlock WaveList::block(const Moved& moved, std::size_t number) const {
             .count = std::min(WaveBlock::max_count, padded_size() - first)};
 }
 
+WaveList::LastWaves::LastWaves(const WaveBlock& all, std::size_t end) : block(all) {
+    const std::size_t first = all.count;
+    const float** const of_waves[] = {&block.head_re, &block.head_im, &block.flow_re, &block.flow_im};
+    for (std::size_t part = 0; part < 4; ++part) {
+        std::copy(*of_waves[part] + first, *of_waves[part] + end, moved[part]);
+        *of_waves[part] = moved[part];
+    }
+    block.m += first, block.n += first, block.steps += first;
+    if (block.mirror) block.mirror += first;
+    block.count = WaveBlock::partial_sums;
+}
+
+std::size_t WaveList::waves_from(double length_m) const {
+    // a wave of exactly that length remains, whatever the rounding
+    const double max_steps = grid_.side_m / length_m * (1 + 1e-6);
+    return static_cast<std::size_t>(
+        std::partition_point(steps_.data(), steps_.data() + size_,
+                             [&](float steps) { return static_cast<double>(steps) <= max_steps; }) -
+        steps_.data());
+}
+
 }  // namespace pelagic

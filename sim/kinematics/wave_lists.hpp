@@ -1,6 +1,7 @@
 // The waves of a cascade as a list, for sums at given points.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,9 +41,6 @@ class WaveList {
     std::size_t size() const { return size_; }  ///< without padding
     /// Returns the size with the waves of amplitude 0 that fill the last sums of a block.
     std::size_t padded_size() const { return steps_.size(); }
-    std::size_t block_count() const {
-        return (padded_size() + WaveBlock::max_count - 1) / WaveBlock::max_count;
-    }
 
     /// The four numbers of each wave at a moment, which WaveBlock describes.
     struct Moved {
@@ -51,9 +49,35 @@ class WaveList {
     };
     /// Returns the job that moves all waves. \param fraction  of the loop, in units of 2^-32
     MoveWavesJob move_job(std::uint32_t fraction, Moved& to) const;
-    WaveBlock block(const Moved& moved, std::size_t number) const;
+    /// Calls use(block) for the blocks of all waves, without those shorter than the footprint. Blocks are valid in the
+    /// call.
+    template <class Use>
+    void for_each_block(const Moved& moved, double footprint_m, Use use) const {
+        const std::size_t end = footprint_m > 0 ? waves_from(footprint_m) : padded_size();
+        for (std::size_t number = 0; number * WaveBlock::max_count < end; ++number) {
+            WaveBlock all = block(moved, number);
+            const std::size_t here = std::min(all.count, end - number * WaveBlock::max_count);
+            all.count = here / WaveBlock::partial_sums * WaveBlock::partial_sums;
+            if (all.count > 0) use(all);
+            if (all.count < here) {
+                const LastWaves last(all, here);
+                use(last.block);
+            }
+        }
+    }
 
    private:
+    WaveBlock block(const Moved& moved, std::size_t number) const;
+    /// The waves from all.count to `end`, and then waves of amplitude 0.
+    struct LastWaves {
+        LastWaves(const WaveBlock& all, std::size_t end);
+        LastWaves(const LastWaves&) = delete;  // the block has pointers into it
+        alignas(64) float moved[4][WaveBlock::partial_sums] = {};
+        WaveBlock block;
+    };
+    /// Returns the number of waves at least that long.
+    std::size_t waves_from(double length_m) const;
+
     CascadeGrid grid_;
     std::size_t size_;
     std::size_t mirrored_;  ///< waves before the first without a mirror

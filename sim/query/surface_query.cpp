@@ -12,6 +12,7 @@
 
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/sim/buffers/shore_at.hpp"
+#include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/query/query_chunks.hpp"
@@ -112,17 +113,28 @@ void SurfaceQuery::check(const SurfacePoints& points, const SurfaceSamples& want
     need_room("converged", wanted.converged);
     need_room("foam", wanted.foam);
     check(wanted);
+    require_footprint(points.footprint_m);
+    if (points.footprint_m > 0 && !frame_.cascades.front().water.has_depth() && frame_.sea.waves != WaveModel::pond)
+        throw std::invalid_argument(
+            "footprint_m needs water below the surface: the ocean was created without OceanOptions::depth");
 }
 
 void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& samples) const {
     check(points, samples);
     const DefaultFloatEnvironment environment;
-    const bool has_drawn = frame_.cascades.front().velocity_y.data != nullptr;
+    const bool is_filtered = points.footprint_m > 0 && frame_.cascades.front().water.has_depth();
+    const bool has_drawn = !is_filtered && frame_.cascades.front().velocity_y.data != nullptr;
+    std::array<LevelSums, max_cascades> sums;
+    for (std::size_t t = 0; is_filtered && t < frame_.cascades.size(); ++t)
+        sums[t] = sums_without(frame_.cascades[t], points.footprint_m);
     for_each_chunk(points, [&](const auto& query, PointChunk& chunk, bool all_have_samples) {
         SampleSurfaceJob::Outputs outputs = outputs_of(samples, chunk);
         if (!has_drawn) outputs.velocity_x = outputs.velocity_y = outputs.velocity_z = nullptr;
-        query.read(outputs, chunk);
-        if (!has_drawn && has_velocity(samples)) read_water_velocities(query, chunk);
+        if (is_filtered)
+            read_without(std::span(sums).first(frame_.cascades.size()), query, chunk);
+        else
+            query.read(outputs, chunk);
+        if (!is_filtered && !has_drawn && has_velocity(samples)) read_water_velocities(query, chunk);
         if (!samples.foam.empty()) {
             const std::span<float> foam = samples.foam.subspan(chunk.first, chunk.count);
             if (cascades_have_foam())
@@ -151,6 +163,38 @@ void SurfaceQuery::read_water_velocities(const Query& query, PointChunk& chunk) 
         chunk.velocity_x[i] = sum[0];
         chunk.velocity_y[i] = sum[1];
         chunk.velocity_z[i] = sum[2];
+    }
+}
+
+template <class Query>
+void SurfaceQuery::read_without(std::span<const LevelSums> sums, const Query& query, PointChunk& chunk) const {
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+        double height_m = 0, slope_x = 0, slope_z = 0;
+        std::array<float, 3> velocity{};
+        for (std::size_t t = 0; t < sums.size(); ++t) {
+            const Cascade& cascade = frame_.cascades[t];
+            if (sums[t].is_zero) continue;
+            const ReferenceCell at = query.reference_cell(t, chunk, i);
+            const HeadSample surface = surface_head(texels_of(cascade), cascade.level_m, at, options_.interpolation);
+            const WaterMotion motion = motion_of(cascade, sums[t], at, surface, true);
+            const float weight = frame_.shore ? chunk.weight[t][i] : 1;
+            const auto slope = cascade.grid.in_world(static_cast<double>(motion.head.along) / cascade.texel_m(),
+                                                     static_cast<double>(motion.head.across) / cascade.texel_m());
+            height_m += static_cast<double>(weight) * (static_cast<double>(cascade.level_m) +
+                                                       static_cast<double>(motion.head.value));
+            slope_x += static_cast<double>(weight) * slope.along;
+            slope_z += static_cast<double>(weight) * slope.across;
+            for (std::size_t axis = 0; axis < 3; ++axis) velocity[axis] += weight * motion.velocity_mps[axis];
+        }
+        const double length = std::sqrt(1 + slope_x * slope_x + slope_z * slope_z);
+        chunk.height[i] = static_cast<float>(height_m);
+        chunk.normal_x[i] = static_cast<float>(0 - slope_x / length);
+        chunk.normal_y[i] = static_cast<float>(1 / length);
+        chunk.normal_z[i] = static_cast<float>(0 - slope_z / length);
+        chunk.jacobian[i] = 1;
+        chunk.velocity_x[i] = velocity[0];
+        chunk.velocity_y[i] = velocity[1];
+        chunk.velocity_z[i] = velocity[2];
     }
 }
 

@@ -23,7 +23,9 @@ struct SurfaceQueryJobs::State {
         const std::size_t begin = job * points_a_job;
         if (begin >= points.x.size()) return;
         const std::size_t count = std::min(points_a_job, points.x.size() - begin);
-        query->sample({.x = piece(points.x, begin, count), .z = piece(points.z, begin, count)},
+        query->sample({.x = piece(points.x, begin, count),
+                       .z = piece(points.z, begin, count),
+                       .footprint_m = points.footprint_m},
                       {.height_m = piece(samples.height_m, begin, count),
                        .normal_x = piece(samples.normal_x, begin, count),
                        .normal_y = piece(samples.normal_y, begin, count),

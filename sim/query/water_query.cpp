@@ -48,7 +48,12 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
     std::transform(cascades.begin(), cascades.end(), planes.begin(), texels_of);
     // the coarsest cascades, which hold waves as long as the footprint
     std::size_t held = cascades.size();
-    while (held > 1 && cascades[held - 1].water.longest_wave_m < points.footprint_m) --held;
+    if (points.whole_cascades)
+        while (held > 1 && cascades[held - 1].water.longest_wave_m < points.footprint_m) --held;
+    const bool is_filtered = points.footprint_m > 0 && !points.whole_cascades && cascades[0].water.has_depth();
+    std::array<LevelSums, max_cascades> at_surface;
+    if (is_filtered)
+        for (std::size_t t = 0; t < held; ++t) at_surface[t] = sums_without(cascades[t], points.footprint_m);
     surface_.for_each_chunk({points.x, points.z}, [&](const auto& query, PointChunk& chunk, bool) {
         SampleSurfaceJob::Outputs outputs{};
         outputs.height = chunk.height;
@@ -102,6 +107,14 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
                 height_m -= left_out;
                 waves_m -= left_out;
             }
+            for (std::size_t t = 0; is_filtered && t < held; ++t) {
+                const ReferenceCell at_rest = query.reference_cell(t, chunk, i);
+                const HeadSample surface = surface_head(planes[t], cascades[t].level_m, at_rest, interpolation);
+                const WaterMotion kept = motion_of(cascades[t], at_surface[t], at_rest, surface, false);
+                const double left_out = weight(t) * static_cast<double>(surface.value - kept.head.value);
+                height_m -= left_out;
+                waves_m -= left_out;
+            }
             // The cascades' waves do not feel the hollow that a hull presses into dynamic waves.
             const double y = points.y[at] - origin.y_m, depth_m = height_m + dynamic_m - y;
             const double stretched_m = std::clamp(
@@ -113,8 +126,9 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
                 const HeadSample surface = surface_head(planes[t], cascade.level_m, at_rest, interpolation);
                 // the waves of a pond have no levels
                 const WaterMotion motion =
-                    cascade.water.has_depth()
-                        ? motion_at(cascade, stretched_m, at_rest, surface, wanted)
+                    is_filtered ? motion_of(cascade, sums_below(cascade, at_surface[t], stretched_m), at_rest,
+                                            surface, has_slopes)
+                    : cascade.water.has_depth() ? motion_at(cascade, stretched_m, at_rest, surface, wanted)
                         : WaterMotion{.velocity_mps = {}, .head = surface};
                 head_m += weight(t) * static_cast<double>(motion.head.value);
                 for (std::size_t axis = 0; axis < 3; ++axis)

@@ -5,6 +5,7 @@
 
 #include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/query/cascade_cell.hpp"
+#include "pelagic/sim/spectrum/depth_weights.hpp"
 #include "pelagic/simd/always_inline.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
@@ -12,6 +13,9 @@
 
 namespace pelagic {
 namespace {
+
+/// Largest footprint over the depth of the water: of longer waves pressure and velocity hardly decrease with depth.
+constexpr double max_footprint_depths = 2;
 
 /// The cubic B-spline's weights of four texels at t in [0, 1] from the second to the third of them.
 FourFloats spline_weights(float t) {
@@ -166,6 +170,79 @@ WaterMotion motion_at(const Cascade& cascade, double depth_m, const ReferenceCel
         case WaterDerivatives::down: return motion_with<WaterDerivatives::down>(cascade, depth_m, at, surface);
         default: return motion_with<WaterDerivatives::all>(cascade, depth_m, at, surface);
     }
+}
+
+LevelSums sums_without(const Cascade& cascade, double footprint_m) {
+    using Filter = DepthLadder::Filter;
+    const WaterLevels& water = cascade.water;
+    LevelSums sums;
+    // Of such short waves less than 0.004 would remain.
+    if (footprint_m > 4 * water.longest_wave_m) return sums;
+    sums.is_zero = false;
+    const double counts_m = std::min(footprint_m, max_footprint_depths * water.water_m);
+    const auto weights_of = [&](const DepthLadder& ladder, const Filter::OfLevels& filter) {
+        std::array<double, Filter::waves> remaining;
+        for (std::size_t wave = 0; wave < Filter::waves; ++wave)
+            remaining[wave] = remaining_of(static_cast<double>(ladder.filter.k[wave]), counts_m);
+        LevelSums::Weights weights{};
+        for (std::size_t level = 0; level < ladder.count; ++level) {
+            double sum = 0;
+            for (std::size_t wave = 0; wave < Filter::waves; ++wave)
+                sum += static_cast<double>(filter[level][wave]) * remaining[wave];
+            weights[level] = static_cast<float>(sum);
+        }
+        return weights;
+    };
+    sums.head = weights_of(*water.head, water.head->filter.along);
+    sums.along = weights_of(*water.velocity, water.velocity->filter.along);
+    sums.up = weights_of(*water.velocity, water.velocity->filter.up);
+    return sums;
+}
+
+LevelSums sums_below(const Cascade& cascade, const LevelSums& surface, double depth_m) {
+    const WaterLevels& water = cascade.water;
+    LevelSums sums;
+    sums.is_zero = surface.is_zero;
+    if (sums.is_zero) return sums;
+    const auto add = [&](const DepthLadder& ladder, auto&& use) {
+        for (std::size_t level = 0; level < ladder.count; ++level) {
+            const LevelsAround around(ladder, std::min(depth_m + ladder.depths_m[level], water.water_m),
+                                      cascade.grid.side_m, true);
+            for (std::size_t i = 0; i < 3; ++i) use(level, around, i);
+        }
+    };
+    add(*water.head, [&](std::size_t level, const LevelsAround& around, std::size_t i) {
+        sums.head[around.first + i] += surface.head[level] * around.value[i];
+        sums.head_slope[around.first + i] += surface.head[level] * around.slope[i];
+    });
+    add(*water.velocity, [&](std::size_t level, const LevelsAround& around, std::size_t i) {
+        sums.along[around.first + i] += surface.along[level] * around.value[i];
+        sums.up[around.first + i] += surface.up[level] * around.value[i];
+    });
+    return sums;
+}
+
+WaterMotion motion_of(const Cascade& cascade, const LevelSums& sums, const ReferenceCell& at,
+                      const HeadSample& surface, bool has_slopes) {
+    const WaterLevels& water = cascade.water;
+    WaterMotion motion;
+    if (sums.is_zero) return motion;
+    motion.head = {sums.head[0] * surface.value, sums.head[0] * surface.along, sums.head[0] * surface.across,
+                   sums.head_slope[0] * surface.value};
+    FourFloats sum{};  // the velocity, and the head
+    for (std::size_t grid = 0; grid < water.count; ++grid) {
+        const float of_head = sums.head[grid + 1];
+        const SplineTaps taps(cascade, water.grids[grid], at);
+        const FourFloats values = taps.values();
+        sum += FourFloats{sums.along[grid], sums.up[grid], sums.along[grid], of_head} * values;
+        motion.head.down += sums.head_slope[grid + 1] * values[3];
+        if (!has_slopes) continue;
+        motion.head.along += of_head * (taps.scale * taps.along()[3]);
+        motion.head.across += of_head * (taps.scale * taps.across()[3]);
+    }
+    motion.velocity_mps = {sum[0], sum[1], sum[2]};
+    motion.head.value += sum[3];
+    return motion;
 }
 
 }  // namespace pelagic

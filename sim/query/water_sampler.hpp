@@ -39,4 +39,22 @@ HeadSample surface_head(const SurfaceTexels& texels, float level_m, const Refere
 WaterMotion motion_at(const Cascade& cascade, double depth_m, const ReferenceCell& at, const HeadSample& surface,
                       WaterDerivatives wanted);
 
+/// Weights of a cascade's levels.
+struct LevelSums {
+    using Weights = std::array<float, DepthLadder::max_levels>;
+    Weights head{}, head_slope{};  ///< the slope downwards, 1/m
+    Weights along{}, up{};         ///< of horizontal and vertical velocity
+    bool is_zero = true;
+};
+
+/// Returns the weights of the surface that leave out waves shorter than about the footprint.
+/// \param footprint_m  above 0 \pre cascade.water.has_depth()
+LevelSums sums_without(const Cascade& cascade, double footprint_m);
+/// Returns the weights of a depth that leave out the waves that those of the surface do.
+LevelSums sums_below(const Cascade& cascade, const LevelSums& surface, double depth_m);
+
+/// As motion_at(), with weights of levels.
+WaterMotion motion_of(const Cascade& cascade, const LevelSums& sums, const ReferenceCell& at,
+                      const HeadSample& surface, bool has_slopes);
+
 }  // namespace pelagic

@@ -60,6 +60,7 @@ struct GridSums {
     std::unordered_map<std::uint32_t, double> harmonics;
     /// Means over all seeds of variance times frequency, and of variance times squared frequency.
     double expected_hz = 0, expected_hz2 = 0;
+    double expected_of_velocities = 0;  ///< mean over all seeds of the variance in waves with a velocity
     double expected_convergence = 0, realised_convergence = 0;  ///< variances of Dx,x + Dz,z
     double expected_level = 0, realised_level = 0;              ///< sums of Cascade::level_m
 
@@ -123,6 +124,8 @@ class CascadeSums {
         const double omega = waves_.frequency(k_);
         const double horizontal = sea_.choppiness * orbit_ratio(k_, water.depth_m) * k_;
         sums_.add_expected(omega / two_pi, here.expected);
+        if (k_ * WaterLevels::shortest_velocity_texels * cascade_.grid.side_m <= two_pi * cascade_.resolution)
+            sums_.expected_of_velocities += here.expected;
         sums_.expected_convergence += here.expected * (horizontal * horizontal);
         const double lean = waves_.lean(k_), sharpening = horizontal / std::sqrt(1 + lean * lean);
         sums_.expected_level += here.expected * sharpening;
@@ -484,6 +487,7 @@ SeaReport report_from(const SeaState& sea, std::span<const CascadePlan> plan, co
     report.expected_convergence_variance = sums.expected_convergence;
     report.realised_convergence_variance = sums.realised_convergence;
     report.expected_level_m = sums.expected_level;
+    if (sums.expected.variance > 0) report.velocity_share = sums.expected_of_velocities / sums.expected.variance;
     report.realised_level_m = sums.realised_level;
     report.expected_directions = directions_from(sums.expected);
     report.realised_directions = directions_from(sums.realised);

@@ -280,7 +280,10 @@ class QueryCommand final : public Command {
     ComputeFlags compute_;
     FloorFlags floor_;
     WaterFrameFlags water_frame_;
-    std::optional<std::string> points_, time_, times_, record_, rate_, interpolation_, velocities_;
+    /// Returns the footprint in metres, 0 without --footprint.
+    double footprint_m(const SeaState& sea) const;
+
+    std::optional<std::string> points_, time_, times_, record_, rate_, interpolation_, velocities_, footprint_;
     bool json_ = false, foam_ = false;
 };
 
@@ -302,6 +305,10 @@ void QueryCommand::add_options(CLI::App& app) {
                    "drawn: of the drawn surface; water: the water's own, without waves of less than four texels "
                    "(default: drawn)")
         ->type_name("drawn|water");
+    app.add_option("--footprint", footprint_,
+                   "leave out waves shorter than about this length; velocities are then the water's own; "
+                   "[0, 10000] (default: 0)")
+        ->type_name("METRES");
 
     app.option_defaults()->group(help_group::output);
     app.add_flag("--foam", foam_, "add a column with the foam coverage, 0 to 1");
@@ -373,11 +380,21 @@ std::optional<ShoreOptions> QueryCommand::shore([[maybe_unused]] const ResolvedS
 #endif
 }
 
+double QueryCommand::footprint_m(const SeaState& sea) const {
+    if (!footprint_) return 0;
+    const double metres = number_in("--footprint", *footprint_, 0, 1e4, "[0, 10000] m");
+    for (const auto& [flags, is_given] : {std::pair("--waves pond", sea.waves == WaveModel::pond),
+                                          {"--velocities drawn", velocities_ == name_of(Velocities::drawn)}})
+        if (is_given) throw InputError(std::string(flags) + " cannot be combined with --footprint");
+    return metres;
+}
+
 void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& times_s) const {
     for (const auto& [flag, is_given] : {std::pair("--points", points_.has_value()),
                                          {"--record", record_.has_value()},
                                          {"--interpolation", interpolation_.has_value()},
                                          {"--velocities", velocities_.has_value()},
+                                         {"--footprint", footprint_.has_value()},
                                          {"--foam", foam_}})
         if (is_given) throw InputError(std::string(flag) + " cannot be combined with --hull");
     const ComputeOptions compute = compute_.resolve();
@@ -426,6 +443,7 @@ void QueryCommand::run_exact(const ResolvedSea& sea, const std::vector<double>& 
         if (is_given) throw InputError(std::string(flag) + " cannot be combined with --interpolation exact");
     const ComputeOptions compute = compute_.resolve();
     const WaterFrame frame = water_frame_.resolve(false);
+    const double footprint_m = this->footprint_m(sea.sea);
     require_points(record);
     const auto executor = make_default_executor(compute.threads);
     ExactWater water(sea.sea, {.water_frame = frame, .executor = executor, .isa = compute.isa});
@@ -468,9 +486,11 @@ void QueryCommand::run_exact(const ResolvedSea& sea, const std::vector<double>& 
                 const std::size_t count = std::min(exact_batch_points, block.size() - first);
                 const auto batch = [&](std::span<const double> all) { return all.subspan(first, count); };
                 if (reader.has_y())
-                    jobs.sample(water, {batch(block.x), batch(block.y), batch(block.z)}, below.samples(first, count));
+                    jobs.sample(water, {batch(block.x), batch(block.y), batch(block.z), footprint_m},
+                                below.samples(first, count));
                 else
-                    jobs.sample_surface(water, {batch(block.x), batch(block.z)}, surface.samples(first, count));
+                    jobs.sample_surface(water, {batch(block.x), batch(block.z), footprint_m},
+                                        surface.samples(first, count));
             }
             if (footer) footer->add(surface);
             progress.clear();
@@ -495,6 +515,7 @@ void QueryCommand::run() {
     const Velocities velocities =
         velocities_ ? one_of<Velocities>("--velocities", *velocities_) : Velocities::drawn;
     if (velocities == Velocities::none) throw InputError("--velocities none, expected drawn or water");
+    const double footprint_m = this->footprint_m(sea.sea);
     const Interpolation interpolation = method == QueryMethod::cubic ? Interpolation::cubic : Interpolation::linear;
     const ComputeOptions compute = compute_.resolve();
     const WaterFrame water = water_frame_.resolve(floor_.has_shore());
@@ -518,8 +539,8 @@ void QueryCommand::run() {
     Ocean ocean(forecast_of(sea), {.executor = executor,
                                    .isa = compute.isa,
                                    .queries = true,
-                                   .velocities = reader.has_y() ? Velocities::none : velocities,
-                                   .depth = reader.has_y(),
+                                   .velocities = reader.has_y() || footprint_m > 0 ? Velocities::none : velocities,
+                                   .depth = reader.has_y() || footprint_m > 0,
                                    .foam = foam_,
                                    .shore = shore});
     ocean.set_water_frame(water);
@@ -555,10 +576,11 @@ void QueryCommand::run() {
             }
             const SurfaceQueryOptions surface{.interpolation = interpolation};
             if (reader.has_y())
-                water_jobs.sample(WaterQuery(*frame, {.surface = surface}), {block.x, block.y, block.z},
+                water_jobs.sample(WaterQuery(*frame, {.surface = surface}), {block.x, block.y, block.z, footprint_m},
                                   below.samples(0, block.size()));
             else
-                jobs.sample(SurfaceQuery(*frame, surface), {block.x, block.z}, samples.samples(0, block.size()));
+                jobs.sample(SurfaceQuery(*frame, surface), {block.x, block.z, footprint_m},
+                            samples.samples(0, block.size()));
             if (record) {
                 const double floor_m =
                     frame->shore ? pelagic::sample(frame->shore, block.x[0], block.z[0]).depth_m : sea.sea.depth_m;

@@ -50,22 +50,32 @@ namespace Pelagic
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_exact_water_set_time(use.Pointer, timeS));
         }
 
-        /// <summary>Samples the water at points in the world, none of them below the sea floor.</summary>
-        public void Sample(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, WaterSamples samples)
+        /// <summary>
+        /// Samples the water at points in the world, none of them below the sea floor, without waves shorter than the
+        /// footprint.
+        /// </summary>
+        public void Sample(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, WaterSamples samples, double footprintM = 0)
         {
-            var points = new Native.pelagic_water_points { struct_size = (uint)sizeof(Native.pelagic_water_points) };
+            var points = new Native.pelagic_water_points { struct_size = (uint)sizeof(Native.pelagic_water_points), footprint_m = footprintM };
             WaterCall.Sample(exactWater, handle, ref points, x, y, z, samples);
         }
 
-        /// <summary>Heights of the surface, which is not displaced.</summary>
-        public void SampleHeights(ReadOnlySpan<double> x, ReadOnlySpan<double> z, Span<float> heightM)
+        /// <summary>Heights of the surface, which is not displaced. Footprint as Sample().</summary>
+        public void SampleHeights(ReadOnlySpan<double> x, ReadOnlySpan<double> z, Span<float> heightM, double footprintM = 0)
         {
             if (z.Length != x.Length) throw new ArgumentException("x and z differ in length.");
             WaterCall.RequireRoom(x.Length, heightM.Length);
             fixed (double* xs = &MemoryMarshal.GetReference(x), zs = &MemoryMarshal.GetReference(z))
             fixed (float* height = &MemoryMarshal.GetReference(heightM))
             {
-                var points = new Native.pelagic_points { struct_size = (uint)sizeof(Native.pelagic_points), count = (UIntPtr)x.Length, x = xs, z = zs };
+                var points = new Native.pelagic_points
+                {
+                    struct_size = (uint)sizeof(Native.pelagic_points),
+                    footprint_m = footprintM,
+                    count = (UIntPtr)x.Length,
+                    x = xs,
+                    z = zs,
+                };
                 var wanted = new Native.pelagic_samples { struct_size = (uint)sizeof(Native.pelagic_samples), height_m = height };
                 using (var use = new Use(handle)) Errors.Check(Native.pelagic_exact_water_sample_surface(use.Pointer, &points, &wanted));
             }

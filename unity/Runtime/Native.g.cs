@@ -1313,6 +1313,7 @@ namespace Pelagic
             internal int parallel;
             internal ulong frame;
             internal double tolerance_m;
+            internal double footprint_m;
             internal UIntPtr count;
             internal double* x;
             internal double* z;

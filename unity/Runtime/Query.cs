@@ -27,9 +27,11 @@ namespace Pelagic
     {
         /// <summary>
         /// Samples the surface of the frame completed last at positions in the world, in metres. Any number of
-        /// threads may query, also while others schedule, complete or dispose. Allocates nothing.
+        /// threads may query, also while others schedule, complete or dispose. Allocates nothing. A footprint leaves
+        /// out waves shorter than about that length, with OceanOptions.Depth; velocities are then the water's own.
         /// </summary>
-        public void Query(ReadOnlySpan<double> x, ReadOnlySpan<double> z, Samples samples, Interpolation interpolation = Interpolation.Linear)
+        public void Query(ReadOnlySpan<double> x, ReadOnlySpan<double> z, Samples samples, Interpolation interpolation = Interpolation.Linear,
+                          double footprintM = 0)
         {
             if (z.Length != x.Length) throw new ArgumentException("x and z differ in length.");
             RequireRoom(x.Length, samples);
@@ -56,18 +58,19 @@ namespace Pelagic
                     converged = converged,
                     foam = foam,
                 };
-                Query(x.Length, xs, zs, ref wanted, interpolation);
+                Query(x.Length, xs, zs, ref wanted, interpolation, footprintM);
             }
         }
 
         /// <summary>
         /// Samples heights as Query(), through pointers to `count` elements each. A null pointer leaves a result out.
         /// </summary>
-        public void QueryHeights(int count, double* x, double* z, float* heightM, Interpolation interpolation = Interpolation.Linear)
+        public void QueryHeights(int count, double* x, double* z, float* heightM, Interpolation interpolation = Interpolation.Linear,
+                                 double footprintM = 0)
         {
             if (count < 0) throw new ArgumentOutOfRangeException(nameof(count));
             var wanted = new Native.pelagic_samples { struct_size = (uint)sizeof(Native.pelagic_samples), height_m = heightM };
-            Query(count, x, z, ref wanted, interpolation);
+            Query(count, x, z, ref wanted, interpolation, footprintM);
         }
 
         /// <summary>Height of the surface at a position.</summary>
@@ -89,7 +92,7 @@ namespace Pelagic
             return hit;
         }
 
-        private void Query(int count, double* x, double* z, ref Native.pelagic_samples wanted, Interpolation interpolation)
+        private void Query(int count, double* x, double* z, ref Native.pelagic_samples wanted, Interpolation interpolation, double footprintM)
         {
             var points = new Native.pelagic_points
             {
@@ -98,6 +101,7 @@ namespace Pelagic
                 x = x,
                 z = z,
                 interpolation = interpolation,
+                footprint_m = footprintM,
             };
             using (var use = new Use(handle))
             fixed (Native.pelagic_samples* samples = &wanted)

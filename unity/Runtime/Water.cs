@@ -24,16 +24,17 @@ namespace Pelagic
 
         /// <summary>
         /// Samples the water of the frame completed last at points in the world, none of them below the sea floor;
-        /// with OceanOptions.Depth. Threads as Query(). Allocates nothing.
+        /// with OceanOptions.Depth. Threads and footprint as Query(). Allocates nothing.
         /// </summary>
         public void SampleWater(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, WaterSamples samples,
-                                Interpolation interpolation = Interpolation.Linear, double waterDensityKgpm3 = 1025)
+                                Interpolation interpolation = Interpolation.Linear, double waterDensityKgpm3 = 1025, double footprintM = 0)
         {
             var points = new Native.pelagic_water_points
             {
                 struct_size = (uint)sizeof(Native.pelagic_water_points),
                 interpolation = interpolation,
                 water_density_kgpm3 = waterDensityKgpm3,
+                footprint_m = footprintM,
             };
             WaterCall.Sample(frameWater, handle, ref points, x, y, z, samples);
         }

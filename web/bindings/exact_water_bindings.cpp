@@ -44,18 +44,20 @@ class ExactWaterBinding {
         });
     }
 
-    /// \param points  a Float64Array of x, y, z, x, y, z, ...
-    val sample(const val& points) {
-        return answer_of([&] { return water_samples(jobs_, water_, points); });
+    /// \param points     a Float64Array of x, y, z, x, y, z, ...
+    /// \param footprint  a number of metres, or undefined
+    val sample(const val& points, const val& footprint) {
+        return answer_of([&] { return water_samples(jobs_, water_, points, footprint); });
     }
 
-    /// \param points  a Float64Array of x, z, x, z, ...
-    val sample_surface(const val& points) {
+    /// \param points     a Float64Array of x, z, x, z, ...
+    /// \param footprint  as above
+    val sample_surface(const val& points, const val& footprint) {
         return answer_of([&] {
             const auto all = emscripten::convertJSArrayToNumberVector<double>(points);
             const std::vector<double> x = every(all, 0, 2), z = every(all, 1, 2);
             std::vector<std::vector<float>> of(7, std::vector<float>(x.size()));
-            jobs_.sample_surface(water_, {x, z},
+            jobs_.sample_surface(water_, {x, z, footprint_of(footprint)},
                                  {.height_m = of[0],
                                   .normal_x = of[1],
                                   .normal_y = of[2],

@@ -354,21 +354,18 @@ class OceanBinding {
     val sample_water(int slot, const val& points, const val& options) {
         return answer_of([&] {
             WaterQueryOptions ours{.surface = query_options_of(options["toleranceM"], options["interpolation"])};
-            double footprint_m = 0;
             if (const val density = options["waterDensityKgpm3"]; !density.isUndefined())
                 ours.water_density_kgpm3 = number_of(
                     "waterDensityKgpm3", density, [](double it) { return it >= 500 && it <= 2000; }, "[500, 2000]");
-            if (const val footprint = options["footprintM"]; !footprint.isUndefined())
-                footprint_m = number_of(
-                    "footprintM", footprint, [](double m) { return std::isfinite(m) && m >= 0; }, "0 or more");
-            return water_samples(water_jobs_, WaterQuery(frames_[slot], ours), points, footprint_m);
+            return water_samples(water_jobs_, WaterQuery(frames_[slot], ours), points, options["footprintM"]);
         });
     }
 
     /// \param points         a Float64Array of x, z, x, z, ...
     /// \param tolerance_m    a number, or undefined
     /// \param interpolation  "linear", "cubic" or undefined
-    val query(int slot, const val& points, const val& tolerance_m, const val& interpolation) {
+    /// \param footprint      a number of metres, or undefined
+    val query(int slot, const val& points, const val& tolerance_m, const val& interpolation, const val& footprint) {
         return answer_of([&] {
             const SurfaceQuery query(frames_[slot], query_options_of(tolerance_m, interpolation));
             const auto pairs = emscripten::convertJSArrayToNumberVector<double>(points);
@@ -380,7 +377,7 @@ class OceanBinding {
                 zs_[i] = pairs[2 * i + 1];
             }
             samples_.resize(count);
-            jobs_.sample(query, {xs_, zs_}, samples_.wanted_of(query));
+            jobs_.sample(query, {xs_, zs_, footprint_of(footprint)}, samples_.wanted_of(query));
             return samples_.views(query);
         });
     }

@@ -4,10 +4,12 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "pelagic/sim/water_jobs.hpp"
+#include "pelagic/web/bindings/named_options.hpp"
 
 namespace pelagic::web {
 
@@ -32,13 +34,22 @@ inline std::vector<double> every(const std::vector<double>& numbers, std::size_t
     return some;
 }
 
-/// \param points  a Float64Array of x, y, z, x, y, z, ...
+/// \param footprint  a number of metres, or undefined
+inline double footprint_of(const emscripten::val& footprint) {
+    return footprint.isUndefined() ? 0
+                                   : number_of(
+                                         "footprintM", footprint, [](double m) { return std::isfinite(m) && m >= 0; },
+                                         "0 or more");
+}
+
+/// \param points     a Float64Array of x, y, z, x, y, z, ...
+/// \param footprint  a number of metres, or undefined
 inline emscripten::val water_samples(WaterJobs& jobs, const WaterKinematics& water, const emscripten::val& points,
-                                     double footprint_m = 0) {
+                                     const emscripten::val& footprint) {
     const auto all = emscripten::convertJSArrayToNumberVector<double>(points);
     const std::vector<double> x = every(all, 0, 3), y = every(all, 1, 3), z = every(all, 2, 3);
     std::vector<std::vector<float>> of(8, std::vector<float>(x.size()));
-    jobs.sample(water, {x, y, z, footprint_m}, {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]});
+    jobs.sample(water, {x, y, z, footprint_of(footprint)}, {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]});
     emscripten::val object = emscripten::val::object();
     object.set("depthM", array_of(of[0]));
     object.set("pressurePa", array_of(of[1]));

@@ -20,12 +20,12 @@ export class ExactWater {
     valueOf(this.#open().setTime(timeS));
   }
 
-  sample(points) {
-    return valueOf(this.#open().sample(flatWaterPoints(points)));
+  sample(points, { footprintM } = {}) {
+    return valueOf(this.#open().sample(flatWaterPoints(points), footprintM));
   }
 
-  sampleSurface(points) {
-    return valueOf(this.#open().sampleSurface(flatPoints(points)));
+  sampleSurface(points, { footprintM } = {}) {
+    return valueOf(this.#open().sampleSurface(flatPoints(points), footprintM));
   }
 
   dispose() {

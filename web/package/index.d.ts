@@ -556,8 +556,6 @@ export type WaterPoints = ArrayLike<number> | [number, number, number][] | {x: n
 
 /** How the water of a frame is sampled. */
 export interface WaterOptions extends QueryOptions {
-  /** Leaves out cascades that hold no wave of this length, metres. Default 0. */
-  footprintM?: number;
   /** [500, 2000]. Default 1025. */
   waterDensityKgpm3?: number;
 }
@@ -588,10 +586,10 @@ export class ExactWater {
   private constructor();
   /** Moves the water to a time; 0 at first. */
   setTime(timeS: number): void;
-  /** Samples the water. Throws for a point below the sea floor. */
-  sample(points: WaterPoints): WaterSamples;
+  /** Samples the water, without waves shorter than footprintM. Throws for a point below the sea floor. */
+  sample(points: WaterPoints, options?: {footprintM?: number}): WaterSamples;
   /** Samples the surface. */
-  sampleSurface(points: Points): ExactSurface;
+  sampleSurface(points: Points, options?: {footprintM?: number}): ExactSurface;
   /** Ends the threads and frees the memory. Also Symbol.dispose, if it exists. */
   dispose(): void;
 }
@@ -1005,6 +1003,11 @@ export interface QueryOptions {
    * waves and takes 2 to 4 times as long. Foam is linear in both. Default "linear".
    */
   interpolation?: 'linear' | 'cubic';
+  /**
+   * Leaves out waves shorter than about this length, metres; needs OceanOptions.depth. Velocities are
+   * then the water's own. Default 0.
+   */
+  footprintM?: number;
 }
 
 /** One element, or three, for each point; copies. */

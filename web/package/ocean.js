@@ -193,9 +193,9 @@ export class Frame {
     return valueOf(this.#native.sprayHash(this.#slot));
   }
 
-  query(points, { toleranceM, interpolation } = {}) {
+  query(points, { toleranceM, interpolation, footprintM } = {}) {
     this.assertValid();
-    const views = valueOf(this.#native.query(this.#slot, flatPoints(points), toleranceM, interpolation));
+    const views = valueOf(this.#native.query(this.#slot, flatPoints(points), toleranceM, interpolation, footprintM));
     // Copies, because the next query overwrites the views.
     return Object.fromEntries(Object.entries(views).map(([name, view]) => [name, view.slice()]));
   }
