@@ -14,6 +14,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "pelagic/floating/given_coefficients.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/sim/water_query.hpp"
@@ -105,6 +106,24 @@ void FloatingBodies::for_each_number(Motion& motion, Use use) {
             for (double& value : row) use(value);
 }
 
+/// Calls use(double&) for the values of a hull with given coefficients that others do not have.
+template <class Use>
+void FloatingBodies::for_each_of_radiation(Motion& motion, Use use) {
+    for (auto* const values : {&motion.state.radiation.rate, &motion.state.radiation.sum})
+        for (Vector6& velocity : *values)
+            for (double& value : velocity) use(value);
+    pelagic::for_each_number(motion.loads.radiation, use);
+}
+
+/// \throws std::invalid_argument  if there is no room for another body with given coefficients
+void FloatingBodies::require_few(std::span<const Body> bodies) {
+    const auto count = std::count_if(bodies.begin(), bodies.end(),
+                                     [](const Body& body) { return body.kind->hull.coefficients() != nullptr; });
+    if (count >= max_given)
+        throw std::invalid_argument("the set has " + std::to_string(count) +
+                                    " bodies with given coefficients, expected at most " + std::to_string(max_given));
+}
+
 template <class Use>
 void FloatingBodies::for_each_number(HullWake& wake, Use use) {
     use(wake.afloat_s_);
@@ -139,6 +158,7 @@ struct FloatingBodies::Jobs {
     double step_s = 0;
     std::array<HullWorkspace, count> workspaces;
     std::array<std::vector<Hull::Moving>, count> hulls;
+    SeaForces sea_forces;
     std::shared_ptr<Executor> executor;
     JobGraph graph;
     std::unique_ptr<GraphRun> graph_run;
@@ -172,6 +192,7 @@ std::size_t FloatingBodies::index_of(std::uint32_t number) const {
 
 std::uint32_t FloatingBodies::add(const Hull& hull, const HullState& state) {
     require(Hull::check(state));
+    if (hull.coefficients()) require_few(bodies_);
     const std::uint64_t digest = hull.digest();
     const auto known =
         std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& kind) { return kind.digest == digest; });
@@ -216,6 +237,7 @@ void FloatingBodies::set_inputs(std::uint32_t number, const HullInputs& inputs) 
     require(Hull::check(inputs));
     body.inputs = inputs;
     body.inputs.wake = body.wake.get();
+    body.inputs.wave_forces = nullptr;  // step() sets it
 }
 
 void FloatingBodies::press(const Frame& frame, double tick_s) {
@@ -231,6 +253,9 @@ bool FloatingBodies::step(const WaterKinematics& water, double step_s) {
     for (const Body& body : bodies_)
         if (const std::string reason = Hull::check(body.state); !reason.empty())
             throw std::invalid_argument("body " + std::to_string(body.number) + ": " + reason);
+    for (Body& body : bodies_)
+        if (const auto& given = body.kind->hull.options_.coefficients; given && given->excitation())
+            body.inputs.wave_forces = &jobs_->sea_forces.on(given, water);
     jobs_->water = &water;
     jobs_->bodies = bodies_;
     jobs_->step_s = step_s;
@@ -248,6 +273,7 @@ std::vector<std::uint8_t> FloatingBodies::save_state() const {
         const auto put = [&](const auto& number) { append(bytes, number); };
         Motion motion = body;
         for_each_number(motion, put);
+        if (body.kind->hull.coefficients()) for_each_of_radiation(motion, put);
         if (body.wake) for_each_number(*body.wake, put);
     }
     std::memcpy(bytes.data(), &header, sizeof header);
@@ -268,6 +294,7 @@ FloatingBodies::Body FloatingBodies::read_body(Reader& from, std::uint32_t last_
         throw std::invalid_argument(name + " has an unknown hull, expected one that was added to these bodies");
     Body body{{}, static_cast<std::uint32_t>(saved.number), &*kind, {}};
     for_each_number(body, std::ref(from));
+    if (kind->hull.coefficients()) for_each_of_radiation(body, std::ref(from));
     for (const std::string& reason : {Hull::check(body.state), Hull::check(body.inputs)})
         if (!reason.empty()) throw std::invalid_argument(name + ": " + reason);
     if (!waves_) return body;
@@ -301,7 +328,9 @@ void FloatingBodies::restore_state(std::span<const std::uint8_t> saved) {
     std::vector<Body> bodies;
     std::uint32_t last_number = 0;
     for (std::uint64_t i = 0; i < header.count; ++i) {
-        bodies.push_back(read_body(from, last_number));
+        Body body = read_body(from, last_number);
+        if (body.kind->hull.coefficients()) require_few(bodies);
+        bodies.push_back(std::move(body));
         last_number = bodies.back().number;
     }
     if (!from.rest.empty()) Reader::throw_size();

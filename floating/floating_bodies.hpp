@@ -30,6 +30,9 @@ namespace pelagic {
 /// commands, so that thread also uses the waves and their ocean.
 class FloatingBodies {
    public:
+    /// Largest number of bodies whose hulls have given coefficients (given_coefficients.hpp).
+    static constexpr std::ptrdiff_t max_given = 8;
+
     /// Creates an empty set.
     /// \param executor  computes the steps
     /// \param waves  receives the wakes of all bodies and outlives the calls; null: no wakes. The
@@ -43,8 +46,8 @@ class FloatingBodies {
     /// Adds a body without inputs and returns its number, which is never reused. The set keeps a
     /// copy of the hull, one for hulls of equal digests, also after the body is removed, for
     /// restore_state().
-    /// \throws std::invalid_argument  Hull::check(state), and what DynamicWaves::add_footprint()
-    ///                                throws; nothing is changed then
+    /// \throws std::invalid_argument  Hull::check(state), what DynamicWaves::add_footprint() throws,
+    ///                                and for a ninth body with given coefficients; nothing is changed then
     std::uint32_t add(const Hull& hull, const HullState& state);
     /// Removes a body, and its pressure from the next tick on. Does nothing if there is none of
     /// that number.
@@ -63,7 +66,7 @@ class FloatingBodies {
     const HullLoads& loads(std::uint32_t number) const;    ///< of the last step
     /// \throws std::invalid_argument  Hull::check(state)
     void set_state(std::uint32_t number, const HullState& state);
-    /// Sets force and wind of the steps from now on. The inputs' wake is ignored.
+    /// Sets force and wind of the steps from now on. The inputs' wake and wave forces are ignored.
     /// \throws std::invalid_argument  Hull::check(inputs)
     void set_inputs(std::uint32_t number, const HullInputs& inputs);
 
@@ -74,16 +77,17 @@ class FloatingBodies {
     void press(const Frame& frame, double tick_s);
     /// Advances all bodies as Hull::step() does, bit-identically for any number of threads, and
     /// returns its result. The calling thread takes part. Allocates nothing in Pelagic's code once
-    /// each job has had a hull of as many vertices.
+    /// each job has had a hull of as many vertices, and after the first step in a sea with wave forces.
     /// \param frame  with queries and depth
     /// \throws std::invalid_argument  what Hull::step() throws, for a body that is out of range
-    ///                                after its number: "body 3: "; nothing is changed then
+    ///                                after its number: "body 3: "; what SeaForces::on() throws;
+    ///                                nothing is changed then
     bool step(const Frame& frame, double step_s);
     /// As above, in any water. Bodies with wakes need that of a frame.
     bool step(const WaterKinematics& water, double step_s);
 
-    /// Returns all that later steps depend on, wakes included: 1,300 bytes a body, and 16 a
-    /// cell of its wake. Call it as DynamicWaves::save_state(): after complete(), before the first
+    /// Returns all that later steps depend on, wakes included: 1,300 bytes a body, 800 more with
+    /// given coefficients, and 16 a cell of its wake. Call it as DynamicWaves::save_state(): after complete(), before the first
     /// command of the tick.
     std::vector<std::uint8_t> save_state() const;
     /// Restores a saved state, on any machine of equal byte order. Each saved hull must be one
@@ -120,6 +124,9 @@ class FloatingBodies {
     static void for_each_number(Motion& motion, Use use);
     template <class Use>
     static void for_each_number(HullWake& wake, Use use);
+    template <class Use>
+    static void for_each_of_radiation(Motion& motion, Use use);
+    static void require_few(std::span<const Body> bodies);
     Body read_body(Reader& from, std::uint32_t last_number) const;
 
     DynamicWaves* waves_;

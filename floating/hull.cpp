@@ -10,6 +10,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "pelagic/floating/given_coefficients.hpp"
 #include "pelagic/floating/lewis_sections.hpp"
 #include "pelagic/floating/wet_surface.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
@@ -101,6 +102,10 @@ std::string Hull::check(const HullMesh& mesh, const HullOptions& options) {
             if (!((*options.inertia_kgm2)[axis] >= 1e-15 && (*options.inertia_kgm2)[axis] <= 1e16))
                 return invalid_value_message(std::string("inertia_kgm2.") + "xyz"[axis],
                                              (*options.inertia_kgm2)[axis], "[1e-15, 1e16]");
+    if (options.coefficients)
+        for (const auto& [name, is_given] : {std::pair("added_mass", options.added_mass.has_value()),
+                                             {"heave_damping", options.heave_damping > 0}})
+            if (is_given) return std::string(name) + " cannot be combined with coefficients";
     return options.added_mass ? check_added_mass(*options.added_mass) : "";
 }
 
@@ -159,10 +164,13 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     }
     for (double& weight : weights_) weight /= sum;
     SectionCoefficients sections;
-    if (afloat_.floats)
+    if (afloat_.floats && !options.coefficients)
         sections = lewis_coefficients(mesh_, centre_of_mass_m_, centre_of_mass_m_.y - afloat_.height_m,
                                       options.water_density_kgpm3);
-    if (options.added_mass)
+    if (options.coefficients) {
+        added_mass_ = options.coefficients->radiation().infinite_added_mass;
+        check_mass();
+    } else if (options.added_mass)
         added_mass_ = *options.added_mass;
     else if (afloat_.floats)
         added_mass_ = sections.added_mass;
@@ -339,7 +347,8 @@ std::uint64_t Hull::digest() const {
     for (const glm::dvec3& vertex : mesh_.vertices()) put(vertex);
     for (const HullMesh::Triangle& triangle : mesh_.triangles())
         numbers.insert(numbers.end(), triangle.begin(), triangle.end());
-    return XXH3_64bits(numbers.data(), numbers.size() * sizeof(double));
+    const std::uint64_t digest = XXH3_64bits(numbers.data(), numbers.size() * sizeof(double));
+    return options_.coefficients ? options_.coefficients->digest() ^ digest : digest;
 }
 
 glm::dvec3 Hull::mesh_origin_m(const HullState& state) const {

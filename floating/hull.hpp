@@ -47,23 +47,23 @@
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "pelagic/floating/hull_matrix.hpp"
 #include "pelagic/floating/hull_mesh.hpp"
 #include "pelagic/message/numeric_field.hpp"
 #include "pelagic/sim/water_query.hpp"
 
 namespace pelagic {
 
+class GivenCoefficients;
 class HullSpray;
 class HullWake;
-
-/// Rows and columns: surge, heave, sway (translation along x, y, z of the hull), roll, yaw, pitch
-/// (rotation about x, y, z through the centre of mass); kg, kg m and kg m^2.
-using HullMatrix = std::array<std::array<double, 6>, 6>;
+class WaveForces;
 
 struct HullOptions {
     // generated from schema/hull.toml: members
@@ -76,6 +76,9 @@ struct HullOptions {
     /// Added mass at rest, symmetric and positive semi-definite. Unset: that of the Lewis forms of
     /// the hull's sections at the resonance of heave (lewis_sections.hpp).
     std::optional<HullMatrix> added_mass = {};
+    /// Added mass, radiation and wave forces of a panel method (given_coefficients.hpp), instead of
+    /// those of sections. Excludes added_mass and heave_damping.
+    std::shared_ptr<const GivenCoefficients> coefficients = {};
     /// Fraction of critical damping of heave, for pitch too; 0: by the waves that Lewis sections
     /// make; [0, 0.999].
     double heave_damping = 0;
@@ -112,6 +115,7 @@ struct HullState {
     glm::dvec3 wake_rotation_radps{};
     double submersion = 0;
     bool has_previous_step = false;  ///< false: no acceleration of dynamic waves and no slamming
+    RadiationState radiation = {};   ///< of HullOptions::coefficients
 };
 
 /// A force and its torque about the centre of mass, in world axes.
@@ -128,10 +132,15 @@ struct HullForce {
 
 /// Forces of water and air on a hull. `total()` leaves out weight and -A du/dt.
 struct HullLoads {
-    HullForce pressure;    ///< of the water's weight and acceleration
+    HullForce pressure;    ///< of the water's weight and acceleration; of given waves' forces
     HullForce added_mass;  ///< A a_w
     HullForce drag;        ///< drag, radiation damping and air
     HullForce slamming;
+    /// Of given coefficients: radiation without -A(inf) du/dt. Its change with the mean velocity of a step is minus
+    /// radiation_damping, in axes of the hull; radiation_share scales both with the hull in the water.
+    HullForce radiation;
+    HullMatrix radiation_damping{};
+    double radiation_share = 0;
     /// Impact on the water, of slamming and of the pressure on advancing faces: the magnitudes of
     /// both forces, and the power that they take from the motion relative to the water.
     double impact_n = 0, impact_w = 0;
@@ -148,7 +157,7 @@ struct HullLoads {
     /// Returns the sum of all forces.
     HullForce total() const {
         HullForce sum = pressure;
-        return sum += added_mass, sum += drag, sum += slamming;
+        return sum += added_mass, sum += drag, sum += slamming, sum += radiation;
     }
 };
 
@@ -158,6 +167,9 @@ struct HullInputs {
     glm::dvec3 wind_mps{};
     /// If not null, the hollow of the hull's own pressure is left out.
     const HullWake* wake = nullptr;
+    /// Of a hull whose coefficients have wave forces: those of the sea. Null for other hulls. Dynamic waves do not
+    /// act on such a hull. FloatingBodies sets it.
+    const WaveForces* wave_forces = nullptr;
 };
 
 /// The hull at rest in still water, upright: the mesh's y axis is vertical.
@@ -224,8 +236,12 @@ class Hull {
     const HullAfloat& afloat() const { return afloat_; }
     /// Returns the mass without added mass.
     double mass_kg() const { return mass_kg_; }
+    /// Returns the density of the water, kg/m^3.
+    double water_density_kgpm3() const { return options_.water_density_kgpm3; }
     const HullMatrix& added_mass() const { return added_mass_; }       ///< at rest
     glm::dvec3 centre_of_mass_m() const { return centre_of_mass_m_; }  ///< in the axes of the mesh
+    /// Returns the given coefficients; null without.
+    const GivenCoefficients* coefficients() const { return options_.coefficients.get(); }
     /// Returns the XXH3 of mesh, mass and coefficients. Hulls of equal digests move
     /// bit-identically.
     std::uint64_t digest() const;
@@ -242,9 +258,11 @@ class Hull {
     /// Returns the loads of a state, and stores in it what the next call needs.
     /// \param state   successive calls are step_s apart
     /// \param step_s  at least 0: drag is that of an implicit step of this length, so that an
-    ///                explicit integrator remains stable; 0: no time has passed
+    ///                explicit integrator remains stable; 0: no time has passed. Given coefficients remember
+    ///                the velocity of the state for as long; step() takes the mean velocity instead
     /// \throws std::invalid_argument  check(state) or check(inputs) if it is not empty, or what
-    ///                                check_step() throws; the state is unchanged then
+    ///                                check_step() throws, or if the inputs have wave_forces and the
+    ///                                coefficients have none, or conversely; the state is unchanged then
     HullLoads loads(const WaterKinematics& water, HullState& state, double step_s, const HullInputs& inputs,
                     HullWorkspace& workspace) const;
 
@@ -291,6 +309,13 @@ class Hull {
     static bool advance(const WaterKinematics& water, std::span<const Moving> hulls, double step_s,
                         HullWorkspace& workspace);
     struct Speeds;
+    void check_mass() const;
+    void check_waves(const HullInputs& inputs) const;
+    double still_water(const WaterKinematics& water, const HullState& state, HullWorkspace& workspace) const;
+    void add_given(const WaterKinematics& water, const HullState& state, double step_s, const HullInputs& inputs,
+                   double radiates, HullLoads& loads) const;
+    void remember(HullState& state, const HullLoads& loads, double step_s, const HullInputs& inputs,
+                  const Vector6& mean_velocity) const;
     HullMatrix turning_by(const glm::dvec3& spin, double submersion) const;
     static void drift(HullState& state, double seconds);
     Speeds speeds_after(const HullState& state, const HullLoads& loads, double step_s,

@@ -73,7 +73,19 @@ Hull::Speeds Hull::speeds_after(const HullState& state, const HullLoads& loads, 
     sum += loads.added_mass;
     sum += inputs.force;
     sum.force_n.y -= mass_kg_ * gravity_mps2;
-    const Vector6 forces = in_hull(sum), moved = product(loads.stiffness, lost);
+    Vector6 forces = in_hull(sum);
+    const Vector6 moved = product(loads.stiffness, lost);
+    HullMatrix constant = loads.mass;  // what multiplies the change, but for rotation and stiffness
+    if (options_.coefficients) {
+        // Radiation at the mean velocity, which is `damped` and half of the change.
+        Vector6 reduced = before;
+        for (std::size_t i = 0; i < 6; ++i) reduced[i] -= damped[i];
+        const Vector6 radiation = in_hull(loads.radiation), less = product(loads.radiation_damping, reduced);
+        for (std::size_t i = 0; i < 6; ++i) {
+            forces[i] += radiation[i] + less[i];
+            for (std::size_t j = 0; j < 6; ++j) constant[i][j] += 0.5 * step_s * loads.radiation_damping[i][j];
+        }
+    }
     Vector6 change{};
     // Passes approach the spin at the middle of the step.
     for (int pass = 0; pass < 3; ++pass) {
@@ -81,7 +93,7 @@ Hull::Speeds Hull::speeds_after(const HullState& state, const HullLoads& loads, 
         const HullMatrix turning = turning_by(spin, loads.submersion);
         const Vector6 turned = product(turning, damped);
         Vector6 right;
-        HullMatrix matrix = loads.mass;
+        HullMatrix matrix = constant;
         for (std::size_t i = 0; i < 6; ++i) {
             right[i] = step_s * (forces[i] - turned[i] - 0.5 * step_s * step_s * moved[i]);
             for (std::size_t j = 0; j < 6; ++j)
@@ -113,6 +125,7 @@ Hull::Steps::Steps(double step_s) {
 bool Hull::step(const WaterKinematics& water, HullState& state, double step_s, const HullInputs& inputs,
                 HullWorkspace& workspace) const {
     check_step(water, inputs, step_s);
+    check_waves(inputs);
     require(check(state));
     require(check(inputs));
     HullLoads loads;
@@ -147,6 +160,11 @@ bool Hull::advance(const WaterKinematics& water, std::span<const Moving> hulls, 
 void Hull::complete_step(HullState& middle, const HullLoads& forces, double step_s, const HullInputs& inputs) const {
     const Speeds speeds = speeds_after(middle, forces, step_s, inputs);
     const glm::dmat3 axes = glm::mat3_cast(middle.orientation);
+    if (options_.coefficients) {
+        Vector6 mean;
+        for (std::size_t i = 0; i < 6; ++i) mean[i] = 0.5 * (speeds.damped[i] + speeds.after[i]);
+        remember(middle, forces, step_s, inputs, mean);
+    }
     // The first half moved with the velocity before the losses.
     HullState correction = middle;
     correction.velocity_mps = axes * first_half(speeds.damped) - middle.velocity_mps;

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "pelagic/floating/direction.hpp"
+#include "pelagic/simd/direction.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"

@@ -1,16 +1,13 @@
 // 6 x 6 matrices of rigid bodies: products, and the solution of linear systems.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "pelagic/floating/hull.hpp"
+#include "pelagic/floating/hull_matrix.hpp"
 
 namespace pelagic {
-
-using Vector6 = std::array<double, 6>;
 
 inline Vector6 joined(const glm::dvec3& first, const glm::dvec3& second) {
     return {first.x, first.y, first.z, second.x, second.y, second.z};

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "pelagic/floating/matrix6.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"

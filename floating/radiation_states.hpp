@@ -30,15 +30,14 @@
 #include <cstddef>
 #include <string>
 
-#include "pelagic/floating/hull.hpp"
-#include "pelagic/floating/matrix6.hpp"
+#include "pelagic/floating/hull_matrix.hpp"
 #include "pelagic/floating/radiation_table.hpp"
 
 namespace pelagic {
 
 /// The fit of a table. Immutable once made, so any thread may read it.
 struct RadiationFit {
-    static constexpr std::size_t resonator_count = 8;
+    static constexpr std::size_t resonator_count = RadiationState::resonator_count;
     struct Resonator {
         double omega_radps = 1, damping_ratio = 1;
         HullMatrix strength{};  ///< C_n, symmetric and positive semi-definite; kg/s^2, kg m/s^2 and kg m^2/s^2
@@ -52,12 +51,6 @@ struct RadiationFit {
     HullMatrix added_mass(double omega_radps) const;
     /// Returns K(t). \pre t_s is at least 0
     HullMatrix retardation(double t_s) const;
-};
-
-/// Velocities that the resonators remember, in the hull's axes.
-struct RadiationState {
-    std::array<Vector6, RadiationFit::resonator_count> rate{};  ///< y_n driven by the motion
-    std::array<Vector6, RadiationFit::resonator_count> sum{};   ///< its integral, z_n
 };
 
 /// The mean force in a step: force - damping * mean velocity.

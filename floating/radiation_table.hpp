@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pelagic/floating/hull.hpp"
+#include "pelagic/floating/hull_matrix.hpp"
 
 namespace pelagic {
 

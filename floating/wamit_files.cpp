@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "pelagic/floating/matrix6.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/one_line.hpp"
 #include "pelagic/simd/constants.hpp"

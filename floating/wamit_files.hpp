@@ -19,9 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pelagic/floating/matrix6.hpp"
 #include "pelagic/floating/radiation_table.hpp"
-#include "pelagic/simd/constants.hpp"
 
 namespace pelagic {
 
@@ -31,7 +29,7 @@ struct WamitScale {
     Column first_column = Column::period_s;  ///< what PER is (IPEROUT)
     double length_m = 1;                     ///< ULEN, L; [1e-3, 1e4]
     double density_kgpm3 = 1025;             ///< [500, 2000]
-    double gravity_mps2 = pelagic::gravity_mps2;  ///< [1, 100]
+    double gravity_mps2 = 9.80665;           ///< [1, 100]
     /// The body's origin from the centre of mass, in the hull's axes; [-1e3, 1e3] m. WAMIT's global origin lies
     /// above or below it.
     glm::dvec3 origin_m{0};

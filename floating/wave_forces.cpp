@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "pelagic/floating/direction.hpp"
+#include "pelagic/simd/direction.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
 #include "pelagic/simd/constants.hpp"

@@ -15,18 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/floating/matrix6.hpp"
+#include "pelagic/floating/hull_matrix.hpp"
 #include "pelagic/floating/wamit_files.hpp"
+#include "pelagic/sim/sea_waves.hpp"
 
 namespace pelagic {
-
-/// A wave of elevation amplitude_m cos(kx x + kz z - omega t + phase_rad).
-struct WaveComponent {
-    double amplitude_m = 0;
-    double kx_radpm = 0, kz_radpm = 0;
-    double omega_radps = 0;
-    double phase_rad = 0;
-};
 
 /// The waves of a sea that carry most of its variance, with their forces on a hull. Immutable.
 class WaveForces {

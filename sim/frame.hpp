@@ -50,6 +50,7 @@ struct SeaStatistics {
 struct Frame {
     double time_s = 0;
     SeaState sea;
+    bool sea_changes = false;  ///< whether the time lies in a transition between two seas of a forecast
     SeaStatistics statistics;
     Isa isa = {};                       ///< the instruction set that computed the frame
     std::span<const Cascade> cascades;  ///< at least one; the coarsest first

@@ -182,6 +182,9 @@ struct SeaState {
     /// Wave systems, in addition to the waves of the wind and the swell; at most 8.
     FixedList<WaveSystem, 8> systems = {};
     // end of generated
+
+    /// Returns whether all values are equal.
+    bool operator==(const SeaState&) const = default;
 };
 
 /// Largest number of wave systems besides the wind sea and the swell.

@@ -18,7 +18,7 @@ inline bool equal(const HullState& a, const HullState& b) {
            a.angular_velocity_radps == b.angular_velocity_radps && a.wake_velocity_y_mps == b.wake_velocity_y_mps &&
            a.wake_rotation_radps == b.wake_rotation_radps &&
            a.submersion == b.submersion &&
-           a.has_previous_step == b.has_previous_step;
+           a.has_previous_step == b.has_previous_step && a.radiation == b.radiation;
 }
 
 }  // namespace pelagic

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "pelagic/floating/lewis_sections.hpp"
+#include "pelagic/floating/matrix6.hpp"
 #include "pelagic/floating/wamit_files.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/hull_states.hpp"

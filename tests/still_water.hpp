@@ -51,7 +51,7 @@ class RegularWave : public StillWater {
     void set_wave(double amplitude_m, double k, double time_s) {
         amplitude_m_ = amplitude_m;
         k_ = k;
-        at_s_ = time_s;
+        at_s_ = time_s_ = time_s;
     }
 
    private:

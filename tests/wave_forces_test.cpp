@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "pelagic/floating/direction.hpp"
+#include "pelagic/simd/direction.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/potential_flow.hpp"

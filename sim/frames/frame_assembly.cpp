@@ -81,6 +81,7 @@ void FrameAssembly::begin_frame(double time_s, const WaterFrame& water, std::spa
     const SeaMoment moment = weather_.moment_at(time_s);
     frame.time_s = time_s;
     frame.sea = weather_.sea_at(moment);
+    frame.sea_changes = !moment.is_steady();
     frame.statistics = weather_.statistics_at(moment);
     frame.isa = isa_;
     frame.water_frame = water;

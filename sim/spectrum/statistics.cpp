@@ -327,7 +327,7 @@ MeanPeriods realised_periods_from(const GridSums& sums, double loop_period_s) {
 
 /// Returns the angle of (x, z) in (-pi, pi], bit-identical on every machine. Uses Newton steps from
 /// the nearest quarter turn; each step reduces an error e to e^3 / 6.
-double angle_of(double x, double z) {
+double direction_rad(double x, double z) {
     const double length = std::sqrt(x * x + z * z);
     if (!(length > 0)) return 0;
     double turns = std::fabs(z) > std::fabs(x) ? (z > 0 ? 0.25 : -0.25) : x < 0 ? (z < 0 ? -0.5 : 0.5) : 0.0;
@@ -527,7 +527,7 @@ double repeat_length_m(const SeaState& sea) {
 }
 
 WaveDirections directions_of_moment(double a, double b) {
-    return {angle_of(a, b), std::sqrt(2 * std::max(0.0, 1 - std::sqrt(a * a + b * b)))};
+    return {direction_rad(a, b), std::sqrt(2 * std::max(0.0, 1 - std::sqrt(a * a + b * b)))};
 }
 
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz) {

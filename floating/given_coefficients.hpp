@@ -1,0 +1,102 @@
+// Coefficients of a hull from a panel method, instead of those of its sections: WAMIT's files .1 and .3, which
+// Capytaine writes (wamit_files.hpp).
+//
+//   HullOptions options{.mass_kg = 4400};
+//   const Hull plain(mesh, options);
+//   options.coefficients = read_coefficients(plain, {.radiation = text_1, .excitation = text_3});
+//   const Hull hull(mesh, options);
+//
+// A(inf) is the hull's added mass, and Cummins' equation with states of fixed size the rest of A and B
+// (radiation_states.hpp). With a file .3, a sum over the waves that carry 99 % of the sea's variance is the force of
+// the waves (wave_forces.hpp); the pressure is then that of still water. Without it, A and B act on the motion relative
+// to the water, and the pressure is that of undisturbed waves. Drag is that of other hulls; roll_damping adds to B.
+//
+// Limitations. Linear: of a hull with less than half of its volume in the water, or with its top below the surface,
+// the coefficients fade. Deep water and no forward speed. Forces of a file .3 leave out dynamic waves and wave inputs,
+// and are unavailable on a shore, in a pond, and while the sea changes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pelagic/floating/hull.hpp"
+#include "pelagic/floating/radiation_table.hpp"
+#include "pelagic/floating/wamit_files.hpp"
+#include "pelagic/floating/wave_forces.hpp"
+#include "pelagic/sim/sea_state.hpp"
+
+namespace pelagic {
+
+struct RadiationFit;
+
+/// Coefficients of hulls of one kind. Immutable; any thread may use them.
+class GivenCoefficients {
+   public:
+    /// Fits the radiation, which takes some 0.1 s.
+    /// \param excitation  forces of waves; none: the pressure of undisturbed waves acts
+    /// \throws std::invalid_argument  for a table that is not usable
+    explicit GivenCoefficients(const RadiationTable& radiation, std::optional<ForceTable> excitation = {});
+    ~GivenCoefficients();
+    GivenCoefficients(const GivenCoefficients&) = delete;
+    GivenCoefficients& operator=(const GivenCoefficients&) = delete;
+
+    /// Returns the fit of the radiation.
+    const RadiationFit& radiation() const { return *fit_; }
+    /// Returns the forces of waves; null without.
+    const ForceTable* excitation() const { return excitation_ ? &*excitation_ : nullptr; }
+    /// Returns the XXH3 of the fit and of the forces.
+    std::uint64_t digest() const { return digest_; }
+
+   private:
+    std::unique_ptr<const RadiationFit> fit_;
+    std::optional<ForceTable> excitation_;
+    std::uint64_t digest_ = 0;
+};
+
+/// Texts of WAMIT's files, and their names for messages.
+struct CoefficientTexts {
+    std::string_view radiation;        ///< of a file .1
+    std::string_view excitation = {};  ///< of a file .3; empty: none
+    std::string radiation_name = "the text of .1", excitation_name = "the text of .3";
+};
+
+/// Returns the scale of files whose origin is that of the mesh, raised or lowered to the water's surface, and whose
+/// numbers are of this hull's water and a length of 1 m.
+/// \throws std::invalid_argument  for a hull that sinks
+WamitScale wamit_scale_of(const Hull& hull);
+
+/// Reads the coefficients of a hull.
+/// \param hull   a hull of the same mesh and mass without coefficients
+/// \param scale  unset: wamit_scale_of(hull)
+/// \throws std::invalid_argument  what read_wamit_1() and read_wamit_3() throw, after the file's name; for numbers that
+///                                are not those of a hull of this size, as with units; for a hull that sinks
+std::shared_ptr<const GivenCoefficients> read_coefficients(const Hull& hull, const CoefficientTexts& texts,
+                                                           const std::optional<WamitScale>& scale = {});
+
+/// Forces of the waves of the latest sea, for hulls of several kinds. One thread at a time uses an object.
+class SeaForces {
+   public:
+    static constexpr double share = 0.99;  ///< of the variance, which the highest waves carry
+
+    /// Returns the forces, which are valid until the sea changes. Computes them at the first call in a sea, which takes
+    /// about 0.1 ms a wave and allocates.
+    /// \throws std::invalid_argument  in water without the waves of a frame's sea: "forces of waves are unavailable
+    ///                                on a shore"
+    const WaveForces& on(const std::shared_ptr<const GivenCoefficients>& coefficients, const WaterKinematics& water);
+
+   private:
+    struct Kind {
+        std::shared_ptr<const GivenCoefficients> of;
+        std::unique_ptr<const WaveForces> forces;
+    };
+    std::optional<SeaState> sea_;
+    std::vector<WaveComponent> waves_;
+    std::vector<Kind> kinds_;
+};
+
+}  // namespace pelagic
