@@ -188,8 +188,9 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
                     std::sqrt(weight_n * std::fabs(afloat_.roll_gm_m) * (inertia_kgm2_.x + added_mass_[3][3]));
 }
 
-/// Divides triangles at the middles of edges of which a long part is below the waterline at rest. Both triangles at
-/// an edge divide it, so the surface stays closed. Of a mesh that would have too many vertices, edges stay longer.
+/// Divides triangles at the middles of edges of which a part below the waterline at rest extends far along an axis.
+/// Both triangles at an edge divide it, so the surface stays closed. Of a mesh that would have too many vertices, edges
+/// stay longer.
 void Hull::divide_triangles() {
     constexpr double longest_over_length = 0.1;
     constexpr std::size_t max_vertices = 4096;
@@ -208,7 +209,8 @@ void Hull::divide_triangles() {
                 const glm::dvec3 edge = arms[b] - arms[a];
                 const double below_m = waterline_m - std::min(arms[a].y, arms[b].y), height_m = std::fabs(edge.y);
                 const double wet = below_m >= height_m ? 1 : std::max(below_m, 0.0) / height_m;
-                if (!(wet * glm::length(edge) > limit_m * 1.000001)) return {};
+                const double extent_m = std::max({std::fabs(edge.x), height_m, std::fabs(edge.z)});
+                if (!(wet * extent_m > limit_m * 1.000001)) return {};
                 const auto [at, is_new] =
                     middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(arms.size()));
                 if (is_new) arms.push_back(0.5 * (arms[a] + arms[b]));

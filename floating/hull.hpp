@@ -12,8 +12,8 @@
 //   pressure    -n S p, with p at rest and of waves at the depth of each vertex (water_kinematics.hpp);
 //               linear on each triangle, and integrated exactly over triangles cut at the waterline
 //               (J. Kerner, "Water interaction model for boats in video games", Gamasutra 2015).
-//               Triangles are divided until no edge is longer, below the waterline at rest, than a tenth of
-//               the hull's length, or 4096 vertices sample the water.
+//               Triangles are divided until none extends farther along an axis, below the waterline at
+//               rest, than a tenth of the hull's length, or 4096 vertices sample the water.
 //   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the rate of change of the
 //               water's velocity at the moving hull (J. N. Newman, Marine Hydrodynamics, MIT Press
 //               1977, chapters 4 and 7): its mean over the displaced water, which follows from the

@@ -119,10 +119,18 @@ void WaterQuery::sample(const WaterPoints& points, const WaterSamples& samples) 
             const double y = points.y[at] - origin.y_m, depth_m = height_m + dynamic_m - y;
             const double stretched_m = std::clamp(
                 (height_m - y) * (water_m / std::max(water_m + height_m, 0.01 * water_m)), 0.0, water_m);
-            double head_m = 0;
+            // At the surface and above it the head is its height.
+            const bool is_below = stretched_m > 0 || is_filtered || wanted != WaterDerivatives::none;
+            double head_m = is_below ? 0 : waves_m;
             for (std::size_t t = 0; t < held; ++t) {
                 const Cascade& cascade = cascades[t];
                 const ReferenceCell at_rest = query.reference_cell(t, chunk, i);
+                if (!is_below && cascade.water.has_depth()) {
+                    const std::array<float, 3> at_surface = surface_velocity(cascade, at_rest);
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        velocity[axis] += weight(t) * static_cast<double>(at_surface[axis]);
+                    continue;
+                }
                 const HeadSample surface = surface_head(planes[t], cascade.level_m, at_rest, interpolation);
                 // the waves of a pond have no levels
                 const WaterMotion motion =
