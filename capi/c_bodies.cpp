@@ -72,7 +72,12 @@ pelagic_status pelagic_bodies_set_inputs(pelagic_bodies* bodies, uint32_t number
 }
 
 pelagic_status pelagic_bodies_set_state(pelagic_bodies* bodies, uint32_t number, const pelagic_hull_state* state) {
-    return guarded([&] { needed_bodies(bodies).set_state(number, hull_state_of(state, "state")); });
+    return guarded([&] {
+        FloatingBodies& ours = needed_bodies(bodies);
+        HullState next = hull_state_of(state, "state");
+        next.radiation = ours.state(number).radiation;  // which the application's struct does not hold
+        ours.set_state(number, next);
+    });
 }
 
 pelagic_status pelagic_bodies_get_state(const pelagic_bodies* bodies, uint32_t number, pelagic_hull_state* state) {

@@ -10,6 +10,7 @@
 #include "pelagic/capi/c_ocean.hpp"
 #include "pelagic/capi/c_status.hpp"
 #include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/floating/given_coefficients.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
 
@@ -43,10 +44,26 @@ HullMesh mesh_of(const pelagic_hull_mesh* pointer) {
     return HullMesh(vertices, triangles);
 }
 
+Hull hull_of(HullMesh mesh, const pelagic_hull_options* pointer) {
+    HullOptions options = hull_options_of(pointer);
+    Hull plain(std::move(mesh), options);
+    const pelagic_hull_options from = read_struct(pointer, "options");
+    if (!from.radiation_text) {
+        if (from.excitation_text) reject("excitation_text needs radiation_text");
+        return plain;
+    }
+    options.coefficients = read_coefficients(plain, {.radiation = from.radiation_text,
+                                                     .excitation = from.excitation_text ? from.excitation_text : "",
+                                                     .radiation_name = "radiation_text",
+                                                     .excitation_name = "excitation_text"});
+    return Hull(plain.mesh(), options);
+}
+
 /// Computes loads, and with `accelerates` velocities, and writes them if nothing throws.
 void compute(pelagic_hull* hull, const pelagic_ocean* ocean, pelagic_hull_state* state, double step_s,
              const pelagic_hull_inputs* inputs, pelagic_hull_loads* loads, bool accelerates) {
     const Hull& ours = needed(hull, "hull").hull;
+    if (ours.coefficients()) reject("the hull has radiation_text, expected a hull without: it moves in pelagic_bodies");
     const QueryFrames::Reader reader(needed(ocean, "ocean").query_frames);
     const WaterQuery water(needed_query(*ocean, reader).frame());
     HullState moved = hull_state_of(state, "state");
@@ -148,7 +165,7 @@ pelagic_status pelagic_hull_create(const pelagic_hull_mesh* mesh, const pelagic_
         pelagic_hull*& out = needed(hull, "hull");
         out = nullptr;
         HullMesh ours = mesh_of(mesh);
-        out = new pelagic_hull{Hull(std::move(ours), hull_options_of(options))};
+        out = new pelagic_hull{hull_of(std::move(ours), options)};
     });
 }
 

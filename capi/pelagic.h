@@ -1398,6 +1398,13 @@ typedef struct pelagic_hull_options {
      * sway (along x, y, z of the hull), roll, yaw, pitch (about x, y, z). NULL: that of the Lewis forms of the
      * hull's sections. */
     const double* added_mass;
+    /* Text of WAMIT's file .1, which Capytaine writes: added mass and damping instead of those of the hull's
+     * sections. Its origin is that of the mesh, raised or lowered to the water's surface; ULEN is 1 m. Excludes
+     * added_mass and heave_damping. NULL: none. Such hulls move in pelagic_bodies only, at most 8 of them. */
+    const char* radiation_text;
+    /* Text of WAMIT's file .3: forces of waves, with radiation_text, instead of the pressure of undisturbed
+     * waves. They are unavailable on a shore, in a pond and while the sea changes. NULL: none. */
+    const char* excitation_text;
     /* Fraction of critical damping of heave, for pitch too; 0: by the waves that Lewis sections make; [0, 0.999]. */
     double heave_damping;
     double roll_damping;         /* fraction of critical damping of roll at |GM|; [0, 0.999] */

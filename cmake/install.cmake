@@ -72,10 +72,11 @@ set(analytic_headers analytic_glsl analytic_sea analytic_surface pond_waves plan
 set(jobs_headers chrome_trace executor job_graph sliced_executor trace)
 set(simd_headers allocator isa)
 set(sim_headers analytic_cascades cascade cascade_plan cascade_sum dispersion disturbance dynamic_waves dynamic_waves_view fixed_list foam_report forecast frame frame_bounds frame_buffers
-                gerstner_input ocean pressure_footprint rain ripple_input sea_state shore shore_surface slope_sum slope_variance snapshot_foam spray statistics surface_query
+                gerstner_input ocean pressure_footprint rain ripple_input sea_state sea_waves shore shore_surface slope_sum slope_variance snapshot_foam spray statistics surface_query
                 exact_water water_jobs water_kinematics water_levels water_query
                 surface_query_jobs surface_ray texture_targets water_frame wave_input)
-set(floating_headers floating_bodies hull hull_mesh hull_plan hull_spray hull_wake)
+set(floating_headers floating_bodies given_coefficients hull hull_matrix hull_mesh hull_plan hull_spray hull_wake radiation_table
+                     wamit_files wave_forces)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
 set(gl_headers application_scene display errors exposure functions headless_context light_meter objects pixel_ring render_target views
                sky/light_presets sky/sky sky/sky_baker

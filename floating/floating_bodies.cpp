@@ -237,7 +237,7 @@ void FloatingBodies::set_inputs(std::uint32_t number, const HullInputs& inputs) 
     require(Hull::check(inputs));
     body.inputs = inputs;
     body.inputs.wake = body.wake.get();
-    body.inputs.wave_forces = nullptr;  // step() sets it
+    body.inputs.diffraction = nullptr;  // step() sets it
 }
 
 void FloatingBodies::press(const Frame& frame, double tick_s) {
@@ -254,8 +254,7 @@ bool FloatingBodies::step(const WaterKinematics& water, double step_s) {
         if (const std::string reason = Hull::check(body.state); !reason.empty())
             throw std::invalid_argument("body " + std::to_string(body.number) + ": " + reason);
     for (Body& body : bodies_)
-        if (const auto& given = body.kind->hull.options_.coefficients; given && given->excitation())
-            body.inputs.wave_forces = &jobs_->sea_forces.on(given, water);
+        if (body.kind->hull.diffraction()) body.inputs.diffraction = &jobs_->sea_forces.on(body.kind->hull, water);
     jobs_->water = &water;
     jobs_->bodies = bodies_;
     jobs_->step_s = step_s;

@@ -66,7 +66,7 @@ class FloatingBodies {
     const HullLoads& loads(std::uint32_t number) const;    ///< of the last step
     /// \throws std::invalid_argument  Hull::check(state)
     void set_state(std::uint32_t number, const HullState& state);
-    /// Sets force and wind of the steps from now on. The inputs' wake and wave forces are ignored.
+    /// Sets force and wind of the steps from now on. The inputs' wake and diffraction are ignored.
     /// \throws std::invalid_argument  Hull::check(inputs)
     void set_inputs(std::uint32_t number, const HullInputs& inputs);
 
@@ -87,8 +87,8 @@ class FloatingBodies {
     bool step(const WaterKinematics& water, double step_s);
 
     /// Returns all that later steps depend on, wakes included: 1,300 bytes a body, 800 more with
-    /// given coefficients, and 16 a cell of its wake. Call it as DynamicWaves::save_state(): after complete(), before the first
-    /// command of the tick.
+    /// given coefficients, and 16 a cell of its wake. Call it as DynamicWaves::save_state(): after
+    /// complete(), before the first command of the tick.
     std::vector<std::uint8_t> save_state() const;
     /// Restores a saved state, on any machine of equal byte order. Each saved hull must be one
     /// that was added to this set. Restore the dynamic waves first.

@@ -41,21 +41,6 @@ void require_size(const std::string& name, const char* quantity, double value, d
                                 " for this hull: numbers without dimension, " + accepted);
 }
 
-/// Returns why a frame's waves are not those of its sea alone; empty if they are.
-std::string unavailable_in(const Frame* frame) {
-    if (!frame) return "in water without a frame";
-    if (frame->sea.waves == WaveModel::pond) return "in a pond";
-    if (frame->shore) return "on a shore";
-    if (frame->sea_changes) return "while the sea changes";
-    const std::vector<CascadePlan> plans = plan_cascades(frame->sea);
-    const auto is_equal = [](const CascadePlan& plan, const Cascade& cascade) {
-        return plan.grid.side_m == cascade.grid.side_m;
-    };
-    if (!std::equal(plans.begin(), plans.end(), frame->cascades.begin(), frame->cascades.end(), is_equal))
-        return "in a forecast whose cascades hold other seas";
-    return {};
-}
-
 }  // namespace
 
 GivenCoefficients::GivenCoefficients(const RadiationTable& radiation, std::optional<ForceTable> excitation)
@@ -110,11 +95,24 @@ std::shared_ptr<const GivenCoefficients> read_coefficients(const Hull& hull, con
                       [&] { return std::make_shared<const GivenCoefficients>(radiation, std::move(forces)); });
 }
 
-const WaveForces& SeaForces::on(const std::shared_ptr<const GivenCoefficients>& coefficients,
-                                const WaterKinematics& water) {
+std::string SeaForces::reason_unavailable(const Frame* frame) {
+    if (!frame) return "in water without a frame";
+    if (frame->sea.waves == WaveModel::pond) return "in a pond";
+    if (frame->shore) return "on a shore";
+    if (frame->sea_changes) return "while the sea changes";
+    const std::vector<CascadePlan> plans = plan_cascades(frame->sea);
+    const auto is_equal = [](const CascadePlan& plan, const Cascade& cascade) {
+        return plan.grid.side_m == cascade.grid.side_m;
+    };
+    if (!std::equal(plans.begin(), plans.end(), frame->cascades.begin(), frame->cascades.end(), is_equal))
+        return "in a forecast whose cascades hold other seas";
+    return {};
+}
+
+const WaveForces& SeaForces::on(const Hull& hull, const WaterKinematics& water) {
     const Frame* const frame = water.frame_or_null();
     if (!sea_ || !frame || frame->shore || frame->sea_changes || !(*sea_ == frame->sea)) {
-        if (const std::string reason = unavailable_in(frame); !reason.empty())
+        if (const std::string reason = reason_unavailable(frame); !reason.empty())
             throw std::invalid_argument("forces of waves are unavailable " + reason +
                                         ", expected the water of a frame, or coefficients without a file .3");
         kinds_.clear();
@@ -122,8 +120,8 @@ const WaveForces& SeaForces::on(const std::shared_ptr<const GivenCoefficients>& 
         sea_ = frame->sea;
     }
     for (const Kind& kind : kinds_)
-        if (kind.of == coefficients) return *kind.forces;
-    kinds_.push_back({coefficients, std::make_unique<const WaveForces>(*coefficients->excitation(), waves_, 1)});
+        if (kind.of == hull.diffraction_) return *kind.forces;
+    kinds_.push_back({hull.diffraction_, std::make_unique<const WaveForces>(*hull.diffraction_, waves_, 1)});
     return *kinds_.back().forces;
 }
 

@@ -7,13 +7,14 @@
 //   const Hull hull(mesh, options);
 //
 // A(inf) is the hull's added mass, and Cummins' equation with states of fixed size the rest of A and B
-// (radiation_states.hpp). With a file .3, a sum over the waves that carry 99 % of the sea's variance is the force of
-// the waves (wave_forces.hpp); the pressure is then that of still water. Without it, A and B act on the motion relative
-// to the water, and the pressure is that of undisturbed waves. Drag is that of other hulls; roll_damping adds to B.
+// (radiation_states.hpp). The pressure of undisturbed waves acts as on other hulls, on the moving hull below the waves'
+// surface. With a file .3, a sum over the waves that carry 99 % of the sea's variance adds what the file's forces
+// differ from that pressure on the hull at rest (wave_forces.hpp): in low waves, the force is that of the file.
+// Without it, A and B act on the motion relative to the water. Drag is that of other hulls; roll_damping adds to B.
 //
-// Limitations. Linear: of a hull with less than half of its volume in the water, or with its top below the surface,
-// the coefficients fade. Deep water and no forward speed. Forces of a file .3 leave out dynamic waves and wave inputs,
-// and are unavailable on a shore, in a pond, and while the sea changes.
+// Limitations. A, B and diffraction are linear: of a hull with less than half of its volume in the water, or with its
+// top below the surface, they fade. Deep water and no forward speed. Diffraction leaves out dynamic waves, wave inputs
+// and waves faster than the file's; it is unavailable on a shore, in a pond, and while the sea changes.
 #pragma once
 
 #include <cstddef>
@@ -83,15 +84,20 @@ class SeaForces {
    public:
     static constexpr double share = 0.99;  ///< of the variance, which the highest waves carry
 
-    /// Returns the forces, which are valid until the sea changes. Computes them at the first call in a sea, which takes
-    /// about 0.1 ms a wave and allocates.
+    /// Returns the diffraction, which is valid until the sea changes. Computes them at the first call in a sea, which takes
+    /// about 0.02 ms a wave and allocates.
+    /// \pre the hull has a diffraction()
     /// \throws std::invalid_argument  in water without the waves of a frame's sea: "forces of waves are unavailable
     ///                                on a shore"
-    const WaveForces& on(const std::shared_ptr<const GivenCoefficients>& coefficients, const WaterKinematics& water);
+    const WaveForces& on(const Hull& hull, const WaterKinematics& water);
+
+    /// Returns "on a shore" or why else a frame's waves are not those of its sea alone; empty if they are.
+    /// \param frame  null: water without a frame
+    static std::string reason_unavailable(const Frame* frame);
 
    private:
     struct Kind {
-        std::shared_ptr<const GivenCoefficients> of;
+        std::shared_ptr<const ForceTable> of;
         std::unique_ptr<const WaveForces> forces;
     };
     std::optional<SeaState> sea_;

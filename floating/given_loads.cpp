@@ -1,14 +1,22 @@
 // Loads of a hull by given coefficients.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "pelagic/floating/given_coefficients.hpp"
 #include "pelagic/floating/hull.hpp"
 #include "pelagic/floating/matrix6.hpp"
 #include "pelagic/floating/radiation_states.hpp"
-#include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/floating/wet_surface.hpp"
+#include "pelagic/simd/constants.hpp"
+#include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/direction.hpp"
 
 namespace pelagic {
@@ -16,7 +24,7 @@ namespace {
 
 /// Returns the velocity of the water that given radiation is relative to, in axes of the hull.
 Vector6 radiation_water(const HullState& state, const HullInputs& inputs, const HullLoads& loads) {
-    if (inputs.wave_forces) return {};
+    if (inputs.diffraction) return {};
     const glm::dmat3 to_hull = glm::transpose(glm::mat3_cast(state.orientation));
     return joined(to_hull * loads.water_velocity_mps, to_hull * loads.water_rotation_radps);
 }
@@ -44,23 +52,63 @@ void Hull::check_mass() const {
 }
 
 void Hull::check_waves(const HullInputs& inputs) const {
-    const bool has_forces = options_.coefficients && options_.coefficients->excitation();
-    if (has_forces && !inputs.wave_forces)
-        throw std::invalid_argument("the hull's coefficients have wave forces, expected those of a sea in the inputs");
-    if (!has_forces && inputs.wave_forces)
-        throw std::invalid_argument("wave_forces of a hull whose coefficients have none, expected null");
+    if (diffraction_ && !inputs.diffraction)
+        throw std::invalid_argument("the inputs have no diffraction, expected that of a sea: the hull's coefficients have wave forces");
+    if (!diffraction_ && inputs.diffraction)
+        throw std::invalid_argument("the inputs have diffraction, expected null: the hull's coefficients have no wave forces");
 }
 
-/// Places the vertices in still water. Velocities stay those of the waves. Returns its height.
-double Hull::still_water(const WaterKinematics& water, const HullState& state, HullWorkspace& workspace) const {
-    const Frame* const frame = water.frame_or_null();
-    const double level_m = frame ? frame->water_frame.sea_level_m : 0;
-    for (HullWorkspace::Vertex& vertex : workspace.vertices)
-        vertex.depth_m = vertex.head_m = level_m - (state.position_m.y + vertex.arm_m.y);
-    return level_m;
+/// Subtracts from the given forces those of the pressure of undisturbed waves (Froude and Krylov's) on the hull at
+/// rest: rho g exp(k y - i k s), s the distance from the centre of mass along the wave.
+void Hull::find_diffraction() {
+    if (!options_.coefficients->excitation()) return;
+    // Pressure is linear on each triangle, as in Hydrostatics: a sum over vertices.
+    struct Node {
+        glm::dvec3 force{}, torque{};
+    };
+    std::map<std::array<double, 3>, Node> nodes;
+    const auto vertex = [&](std::uint32_t i) {
+        const double depth_m = -(afloat_.height_m + arms_m_[i].y);
+        return HullVertex{arms_m_[i], glm::dvec3{}, depth_m, depth_m};
+    };
+    for (const auto& [a, b, c] : triangles_)
+        cut_at_waterline(
+            {vertex(a), vertex(b), vertex(c)},
+            [&](const HullTriangle& wet) {
+                const glm::dvec3 area = wet.area_m2(), arms = wet.a.arm_m + wet.b.arm_m + wet.c.arm_m;
+                for (const HullVertex* const of : {&wet.a, &wet.b, &wet.c}) {
+                    Node& node = nodes[{of->arm_m.x, of->arm_m.y, of->arm_m.z}];
+                    node.force -= area / 3.0;
+                    node.torque += glm::cross(area, arms + of->arm_m) / 12.0;
+                }
+            },
+            [](const HullTriangle&) {});
+    ForceTable table = WaveForces::at_each_heading(*options_.coefficients->excitation());
+    const double weight_npm3 = options_.water_density_kgpm3 * gravity_mps2;
+    std::vector<std::pair<double, double>> directions;  // cosine, sine
+    for (const double heading : table.heading_rad) {
+        const auto [sine, cosine] = det::sine_cosine_of_turns(heading / two_pi);
+        directions.emplace_back(cosine, sine);
+    }
+    ForceTable::Forces* row = table.forces.data();
+    for (const double omega : table.omega_radps) {
+        const double k = omega * omega / gravity_mps2;
+        for (const auto& [at, node] : nodes) {
+            const double pressure = weight_npm3 * det::exp(k * std::min(at[1] + afloat_.height_m, 0.0));
+            const Vector6 of = joined(node.force, node.torque);
+            for (std::size_t h = 0; h < directions.size(); ++h) {
+                const double along_m = at[0] * directions[h].first + at[2] * directions[h].second;
+                const auto [sine, cosine] = det::sine_cosine_of_turns(-k * along_m / two_pi);
+                for (std::size_t mode = 0; mode < 6; ++mode)
+                    row[h][mode] -= std::complex<double>(pressure * cosine * of[mode], pressure * sine * of[mode]);
+            }
+        }
+        row += directions.size();
+    }
+    diffraction_ = std::make_shared<const ForceTable>(std::move(table));
 }
 
-/// Adds radiation and the forces of waves.
+/// Adds radiation and diffraction.
 /// \param radiates  what remains of the square of the waves that a submerged hull makes
 void Hull::add_given(const WaterKinematics& water, const HullState& state, double step_s, const HullInputs& inputs,
                      double radiates, HullLoads& loads) const {
@@ -79,19 +127,16 @@ void Hull::add_given(const WaterKinematics& water, const HullState& state, doubl
     for (std::size_t i = 0; i < 6; ++i) memory.force[i] -= damped[i];
     loads.radiation = {axes * first_half(memory.force), axes * second_half(memory.force)};
     loads.radiation_damping = memory.damping;
-    if (!inputs.wave_forces) return;
+    if (!inputs.diffraction) return;
 
     loads.added_mass = {};
     const Frame* const frame = water.frame_or_null();
     const WaterFrame::Origin origin = frame ? frame->water_frame.origin_at(water.time_s()) : WaterFrame::Origin{};
     const double heading_rad = angle_of(axes[0].x, axes[0].z);
-    const Vector6 force = inputs.wave_forces->force(state.position_m.x - origin.x_m, state.position_m.z - origin.z_m,
+    const Vector6 force = inputs.diffraction->force(state.position_m.x - origin.x_m, state.position_m.z - origin.z_m,
                                                     heading_rad, water.time_s());
-    // Axes of the hull upright: forward, up and starboard.
-    const double level = std::sqrt(axes[0].x * axes[0].x + axes[0].z * axes[0].z);
-    const double cosine = level > 0 ? axes[0].x / level : 1, sine = level > 0 ? axes[0].z / level : 0;
-    const glm::dmat3 upright(glm::dvec3(cosine, 0, sine), glm::dvec3(0, 1, 0), glm::dvec3(-sine, 0, cosine));
-    loads.pressure += {share * (upright * first_half(force)), share * (upright * second_half(force))};
+    // In axes of the hull, as the radiation: in long waves both cancel, and no mean force remains.
+    loads.pressure += {share * (axes * first_half(force)), share * (axes * second_half(force))};
 }
 
 /// Advances the memory of radiation by a step.

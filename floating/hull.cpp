@@ -170,6 +170,7 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     if (options.coefficients) {
         added_mass_ = options.coefficients->radiation().infinite_added_mass;
         check_mass();
+        find_diffraction();
     } else if (options.added_mass)
         added_mass_ = *options.added_mass;
     else if (afloat_.floats)

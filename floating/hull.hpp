@@ -63,7 +63,9 @@ namespace pelagic {
 class GivenCoefficients;
 class HullSpray;
 class HullWake;
+class SeaForces;
 class WaveForces;
+struct ForceTable;
 
 struct HullOptions {
     // generated from schema/hull.toml: members
@@ -132,7 +134,7 @@ struct HullForce {
 
 /// Forces of water and air on a hull. `total()` leaves out weight and -A du/dt.
 struct HullLoads {
-    HullForce pressure;    ///< of the water's weight and acceleration; of given waves' forces
+    HullForce pressure;    ///< of the water's weight and acceleration, and diffraction
     HullForce added_mass;  ///< A a_w
     HullForce drag;        ///< drag, radiation damping and air
     HullForce slamming;
@@ -167,9 +169,9 @@ struct HullInputs {
     glm::dvec3 wind_mps{};
     /// If not null, the hollow of the hull's own pressure is left out.
     const HullWake* wake = nullptr;
-    /// Of a hull whose coefficients have wave forces: those of the sea. Null for other hulls. Dynamic waves do not
-    /// act on such a hull. FloatingBodies sets it.
-    const WaveForces* wave_forces = nullptr;
+    /// Of a hull with Hull::diffraction(): its forces in the sea (SeaForces), which FloatingBodies sets. Null for other
+    /// hulls.
+    const WaveForces* diffraction = nullptr;
 };
 
 /// The hull at rest in still water, upright: the mesh's y axis is vertical.
@@ -242,6 +244,9 @@ class Hull {
     glm::dvec3 centre_of_mass_m() const { return centre_of_mass_m_; }  ///< in the axes of the mesh
     /// Returns the given coefficients; null without.
     const GivenCoefficients* coefficients() const { return options_.coefficients.get(); }
+    /// Returns the coefficients' forces of waves less the pressure of undisturbed waves on the hull at rest, each 5
+    /// degrees; null without.
+    const ForceTable* diffraction() const { return diffraction_.get(); }
     /// Returns the XXH3 of mesh, mass and coefficients. Hulls of equal digests move
     /// bit-identically.
     std::uint64_t digest() const;
@@ -261,8 +266,8 @@ class Hull {
     ///                explicit integrator remains stable; 0: no time has passed. Given coefficients remember
     ///                the velocity of the state for as long; step() takes the mean velocity instead
     /// \throws std::invalid_argument  check(state) or check(inputs) if it is not empty, or what
-    ///                                check_step() throws, or if the inputs have wave_forces and the
-    ///                                coefficients have none, or conversely; the state is unchanged then
+    ///                                check_step() throws, or if diffraction is missing in the inputs, or
+    ///                                given to a hull without; the state is unchanged then
     HullLoads loads(const WaterKinematics& water, HullState& state, double step_s, const HullInputs& inputs,
                     HullWorkspace& workspace) const;
 
@@ -283,6 +288,7 @@ class Hull {
     friend class FloatingBodies;
     friend class HullSpray;
     friend class HullWake;
+    friend class SeaForces;
     double floating_m3() const { return floating_volume_m3_; }
     void append_points(const HullState& state, HullWorkspace& workspace) const;
     /// Fills workspace.vertices from its samples.
@@ -311,7 +317,7 @@ class Hull {
     struct Speeds;
     void check_mass() const;
     void check_waves(const HullInputs& inputs) const;
-    double still_water(const WaterKinematics& water, const HullState& state, HullWorkspace& workspace) const;
+    void find_diffraction();
     void add_given(const WaterKinematics& water, const HullState& state, double step_s, const HullInputs& inputs,
                    double radiates, HullLoads& loads) const;
     void remember(HullState& state, const HullLoads& loads, double step_s, const HullInputs& inputs,
@@ -334,6 +340,7 @@ class Hull {
     std::vector<HullMesh::Triangle> triangles_;  // of these
     std::vector<double> weights_;     // of vertices in means over the plan; their sum is 1
     HullMatrix added_mass_{};
+    std::shared_ptr<const ForceTable> diffraction_;
     HullAfloat afloat_;
     double footprint_m_ = 0;  // twice the distance of vertices
     double floating_volume_m3_ = 0;

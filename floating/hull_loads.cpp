@@ -187,7 +187,7 @@ void Hull::place_vertices(const WaterKinematics& water, std::size_t first_point,
 HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, HullState& state, double step_s,
                          const HullInputs& inputs, HullWorkspace& workspace) const {
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);
-    place_vertices(water, first_point, state, inputs.wave_forces ? nullptr : inputs.wake, workspace);
+    place_vertices(water, first_point, state, inputs.wake, workspace);
     const std::vector<HullVertex>& vertices = workspace.vertices;
     const MeanWater mean =
         mean_water(weights_, vertices, state.position_m.y, state.velocity_mps, state.angular_velocity_radps);
@@ -199,10 +199,6 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     // a rotation about z lifts points at x, one about x lowers points at z
     loads.water_rotation_radps = {-mean.gradient_z, 0, mean.gradient_x};
 
-    // Given forces of waves are those on the hull in still water.
-    const HullWake* const wake = inputs.wave_forces ? nullptr : inputs.wake;
-    const double surface_m =
-        inputs.wave_forces ? still_water(water, state, workspace) : mean.height_m;
     const double radiates = det::exp(-2 * heave_wave_number_ * submergence_m(vertices));
     Hydrostatics wet;
     double bottom_m2 = 0, bottom_rise = 0;  // of faces that look down, in plan, and their vertical acceleration's sum
@@ -212,7 +208,7 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     const auto add_wet = [&](const HullTriangle& triangle) {
         const glm::dvec3 area = triangle.area_m2(), relative = triangle.relative_mps(), arm = triangle.centre_m();
         wet.add(triangle, area);
-        if (wake) wet.leave_out_wake(triangle, area);
+        if (inputs.wake) wet.leave_out_wake(triangle, area);
         const double area_m4 = glm::dot(area, area);
         if (area_m4 == 0) return;
         const double flow = glm::dot(relative, area), across = flow / area_m4;  // along the normal
@@ -273,7 +269,7 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     double wake_change = 0;
     glm::dvec3 wake_spin_change{};
     const glm::dvec3 wake_rotation(-mean.wake_gradient_z, 0, mean.wake_gradient_x);
-    if (wake && state.has_previous_step && step_s > 0) {
+    if (inputs.wake && state.has_previous_step && step_s > 0) {
         wake_change = (mean.wake_mps - state.wake_velocity_y_mps) / step_s;
         // The surface turns the water of wide hulls, not that along deep ones.
         wake_spin_change = (wake_rotation - state.wake_rotation_radps) / step_s *
@@ -283,18 +279,18 @@ HullLoads Hull::loads_at(const WaterKinematics& water, std::size_t first_point, 
     const double along_wake =
         state.velocity_mps.x * mean.wake_gradient_x + state.velocity_mps.z * mean.wake_gradient_z;
     const double wake_mps2 =
-        wake && state.has_previous_step ? std::clamp(wake_change - along_wake, -gravity_mps2, gravity_mps2) : 0;
+        inputs.wake && state.has_previous_step ? std::clamp(wake_change - along_wake, -gravity_mps2, gravity_mps2) : 0;
     wake_change = std::clamp(wake_change, -gravity_mps2, gravity_mps2);
     const double weight_npm3 = options_.water_density_kgpm3 * (gravity_mps2 + wake_mps2);
     loads.pressure = {weight_npm3 * wet.force_m3, weight_npm3 * wet.torque_m4};
-    const double buoyancy_y_m3 = (surface_m - state.position_m.y) * loads.displaced_m3 - wet.depth_moment_m4;
+    const double buoyancy_y_m3 = (mean.height_m - state.position_m.y) * loads.displaced_m3 - wet.depth_moment_m4;
     WaterChange change = water_change(wet, buoyancy_y_m3 / std::max(loads.displaced_m3, 1e-9), moments_m5);
     if (bottom_m2 > 0 && middle_weight_ < 1) {
         const double bottom_mps2 = limited(bottom_rise / bottom_m2);
         change.acceleration_mps2.y = bottom_mps2 + middle_weight_ * (change.acceleration_mps2.y - bottom_mps2);
     }
     loads.water_acceleration_mps2 = change.acceleration_mps2 + glm::dvec3(0, wake_mps2, 0);
-    if (wake) loads.pressure += workspace.wake_push;
+    if (inputs.wake) loads.pressure += workspace.wake_push;
     loads.stiffness = in_hull(world_stiffness(wet, weight_npm3, buoyancy_y_m3), axes);
 
     const glm::dmat3 to_hull = glm::transpose(axes);

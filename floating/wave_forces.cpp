@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "pelagic/simd/direction.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
@@ -86,6 +87,15 @@ std::string WaveForces::check(std::span<const WaveComponent> waves) {
             return "kx_radpm, kz_radpm or phase_rad of a wave is out of range [-1e6, 1e6]";
     }
     return {};
+}
+
+ForceTable WaveForces::at_each_heading(const ForceTable& table) {
+    const DefaultFloatEnvironment environment;
+    ForceTable result{.omega_radps = table.omega_radps, .heading_rad = {}, .forces = {}};
+    for (std::size_t h = 0; h < headings; ++h) result.heading_rad.push_back(two_pi * static_cast<double>(h) / headings);
+    for (std::size_t row = 0; row < table.omega_radps.size(); ++row)
+        for (const double heading : result.heading_rad) result.forces.push_back(at_heading(table, row, heading));
+    return environment.result(std::move(result));
 }
 
 WaveForces::WaveForces(const ForceTable& table, std::span<const WaveComponent> waves, double share) {

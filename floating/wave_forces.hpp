@@ -4,7 +4,7 @@
 //
 // with beta_n the direction of a wave from the heading of the hull, and x the position of its centre of mass.
 // X is interpolated between the frequencies and the headings of a ForceTable. Forces are those on a hull at its
-// height and attitude of rest: they replace the pressure of undisturbed waves, and A and B times the water's motion.
+// height and attitude of rest. Hull uses them less the pressure of undisturbed waves (Hull::diffraction()).
 //
 // Limitations. Linear: a hull that leaves the water, or waves that break, do not count. A wave takes 3.5 kB and
 // some 200 ns a sum.
@@ -33,6 +33,8 @@ class WaveForces {
 
     /// Returns an empty string for a usable table, else what is wrong.
     static std::string check(const ForceTable& table);
+    /// Returns the table interpolated to `headings`. \pre check(table) is empty
+    static ForceTable at_each_heading(const ForceTable& table);
     /// Returns an empty string for usable waves, else what is wrong: at most a million; finite numbers; omega_radps in
     /// [0, 1e4]; amplitudes in [0, 1e3] m.
     static std::string check(std::span<const WaveComponent> waves);

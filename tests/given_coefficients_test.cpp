@@ -57,8 +57,7 @@ double heave_in_waves(const Hull& hull, double k, double heading_rad = 0) {
     const WaveComponent wave{amplitude_m, k * std::cos(heading_rad), k * std::sin(heading_rad), omega, 0};
     std::optional<WaveForces> forces;
     HullInputs inputs;
-    if (hull.coefficients() && hull.coefficients()->excitation())
-        inputs.wave_forces = &forces.emplace(*hull.coefficients()->excitation(), std::span(&wave, 1), 1);
+    if (hull.diffraction()) inputs.diffraction = &forces.emplace(*hull.diffraction(), std::span(&wave, 1), 1);
     RegularWave water(heading_rad);
     HullWorkspace workspace;
     HullState state = hull.at_rest(0, 0);
@@ -262,7 +261,7 @@ TEST(GivenCoefficients, LimitsAreStatedInOneLine) {
     HullState state = hull.at_rest(0, 0);
     HullWorkspace workspace;
     EXPECT_EQ(message_of([&] { hull.step(StillWater(), state, 0.01, {}, workspace); }),
-              "the hull's coefficients have wave forces, expected those of a sea in the inputs");
+              "the inputs have no diffraction, expected that of a sea: the hull's coefficients have wave forces");
 }
 
 TEST(GivenCoefficients, BadFilesAreRejectedInOneLine) {

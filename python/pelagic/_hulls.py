@@ -58,6 +58,8 @@ class Hull:
         centre_of_mass_m: Optional[ArrayLike] = None,
         inertia_kgm2: Optional[ArrayLike] = None,
         added_mass: Optional[ArrayLike] = None,
+        radiation_text: Optional[str] = None,
+        excitation_text: Optional[str] = None,
         heave_damping: float = 0.0,
         roll_damping: float = 0.05,
         pressure_coefficient: float = 0.7,
@@ -79,6 +81,8 @@ class Hull:
         inertia_kgm2  (3,), about axes through the centre of mass; None: of an even filling
         added_mass  (6, 6), of surge, heave, sway, roll, yaw and pitch at rest; None: derived from
                     the sizes of waterline and draught
+        radiation_text, excitation_text  of WAMIT's files .1 and .3, which Capytaine writes: about the
+            mesh's origin at the water's surface, ULEN 1 m. Such hulls move in Bodies only
         heave_damping, roll_damping  fractions of critical damping; [0, 0.999]. Heave 0: by the
             waves that the hull's sections make
         pressure_coefficient, suction_coefficient  drag of advancing and retreating faces; [0, 10]
@@ -104,6 +108,9 @@ class Hull:
                 raise ValueError("added_mass has another shape, expected (6, 6)")
         for name, array in kept.items():
             setattr(options, name, array.ctypes.data)
+        for name, text in (("radiation_text", radiation_text), ("excitation_text", excitation_text)):
+            if text is not None:
+                setattr(options, name, text.encode())
         positions = np.ascontiguousarray(doubles_of(vertices, "vertices"))
         _need_rows_of_three(positions, "vertices", "x, y and z of each vertex")
         corners = _triangles_of(triangles, len(positions))

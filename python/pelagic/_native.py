@@ -640,6 +640,8 @@ class pelagic_hull_options(ctypes.Structure):
         ("centre_of_mass_m", c_void_p),
         ("inertia_kgm2", c_void_p),
         ("added_mass", c_void_p),
+        ("radiation_text", c_char_p),
+        ("excitation_text", c_char_p),
         ("heave_damping", c_double),
         ("roll_damping", c_double),
         ("pressure_coefficient", c_double),

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "pelagic/floating/given_coefficients.hpp"
+#include "pelagic/tools/files/input_file.hpp"
 #include "pelagic/tools/meshes/hull_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
@@ -28,6 +32,26 @@ std::vector<double> numbers_in(const std::string& option, const std::string& tex
     return numbers;
 }
 
+/// Reads STEM.1, and STEM.3 if there is one.
+std::shared_ptr<const GivenCoefficients> coefficients_of(const Hull& hull, const std::string& stem) {
+    constexpr const char *option = "--hull-coefficients", *accepted = "the name before .1 and .3 of WAMIT's files";
+    constexpr std::size_t max_bytes = 32'000'000;
+    if (stem.empty()) throw InputError(std::string(option) + " is empty, expected " + accepted);
+    const std::string radiation_name = stem + ".1", excitation_name = stem + ".3";
+    const std::string radiation = InputFile(option, radiation_name, accepted).read_all(max_bytes);
+    std::string excitation;
+    std::error_code unknown;
+    if (std::filesystem::exists(excitation_name, unknown)) {
+        excitation = InputFile(option, excitation_name, accepted).read_all(max_bytes);
+        if (excitation.empty()) throw InputError(std::string(option) + ": " + excitation_name + " is empty");
+    }
+    try {
+        return read_coefficients(hull, {radiation, excitation, radiation_name, excitation_name});
+    } catch (const std::invalid_argument& error) {
+        throw InputError(std::string(option) + ": " + error.what());
+    }
+}
+
 }  // namespace
 
 void require_reachable(double first_s, double last_s) {
@@ -47,6 +71,8 @@ void HullFlags::add_to(CLI::App& app) {
         "place of its launch in metres, 10 s before the first time (default: 0,0)");
     add("--hull-heading", heading_, "DEGREES", "from east (+x) towards south (+z); [-360, 360] (default: 0)");
     add("--hull-center", center_, "X,Y,Z", "centre of mass in the axes of the mesh (default: that of its volume)");
+    add("--hull-coefficients", coefficients_, "STEM",
+        "read A and B of a panel method from STEM.1 and wave forces from STEM.3, if there is one");
     add("--hull-thrust", thrust_, "NEWTONS", "force towards the bow; [-1e12, 1e12] (default: 0)");
 }
 
@@ -56,6 +82,7 @@ std::optional<HullLaunch> HullFlags::resolve() const {
                                           {"--hull-position", &position_},
                                           {"--hull-heading", &heading_},
                                           {"--hull-center", &center_},
+                                          {"--hull-coefficients", &coefficients_},
                                           {"--hull-thrust", &thrust_}})
             if (*typed) throw InputError(std::string(flag) + " is " + **typed + "; it requires --hull");
         return {};
@@ -94,6 +121,14 @@ std::optional<HullLaunch> HullFlags::resolve() const {
         print_note("the hull does not float upright: its metacentric height is " +
                    rounded_text(std::min(afloat.roll_gm_m, afloat.pitch_gm_m), 3) +
                    " m; --hull-center lowers its centre of mass");
+    if (coefficients_) {
+        options.coefficients = coefficients_of(*launch.hull, *coefficients_);
+        try {
+            launch.hull = std::make_shared<const Hull>(launch.hull->mesh(), options);
+        } catch (const std::invalid_argument& error) {
+            throw InputError("--hull-coefficients is " + *coefficients_ + ": " + error.what());
+        }
+    }
     return launch;
 }
 

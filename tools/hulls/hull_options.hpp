@@ -34,7 +34,7 @@ class HullFlags {
     std::optional<HullLaunch> resolve() const;
 
    private:
-    std::optional<std::string> file_, mass_, position_, heading_, center_, thrust_;
+    std::optional<std::string> file_, mass_, position_, heading_, center_, thrust_, coefficients_;
 };
 
 }  // namespace pelagic::tools

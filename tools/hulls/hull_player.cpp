@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "pelagic/floating/given_coefficients.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
@@ -57,6 +58,8 @@ void HullPlayer::step() {
                            {.force = {.force_n = launch_.thrust_n * glm::mat3_cast(before_.orientation)[0]}});
         bodies_.step(frame, hull_step_s);
     } catch (const std::invalid_argument& error) {
+        if (launch_.hull->diffraction() && !SeaForces::reason_unavailable(&frame).empty())
+            throw InputError(std::string("--hull-coefficients: ") + error.what());
         throw InputError(launch_.typed + ": the hull moves out of range: " + error.what());
     }
     ++step_;

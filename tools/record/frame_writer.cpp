@@ -126,8 +126,8 @@ class ViewCopier {
     }
     /// Copies all views but those of cascades.
     void copy_views(Frame& frame) {
-        auto& [time_s, sea, statistics, isa, cascades, bounds, dynamic_waves, shore, has_foam, foam, droplets,
-               water_frame] = frame;
+        auto& [time_s, sea, sea_changes, statistics, isa, cascades, bounds, dynamic_waves, shore, has_foam, foam,
+               droplets, water_frame] = frame;
         auto& [resolution, grid_texel_m, first_x, first_z, grid_height, vertical_velocity, grid_foam, grid_bounds] =
             dynamic_waves;
         copy(grid_height, vertical_velocity, grid_foam);

@@ -1394,6 +1394,8 @@ namespace Pelagic
             internal double* centre_of_mass_m;
             internal double* inertia_kgm2;
             internal double* added_mass;
+            internal byte* radiation_text;
+            internal byte* excitation_text;
             internal double heave_damping;
             internal double roll_damping;
             internal double pressure_coefficient;
