@@ -31,8 +31,9 @@ Vector6 radiation_water(const HullState& state, const HullInputs& inputs, const 
 
 }  // namespace
 
-/// Checks that hull and added mass move, whatever the fraction of the latter: all pivots are positive.
+/// Checks that the hull floats, and moves with any fraction of the added mass: all pivots are positive.
 void Hull::check_mass() const {
+    if (!afloat_.floats) throw std::invalid_argument("coefficients need a hull that floats, and this one sinks");
     HullMatrix matrix = added_mass_;
     for (std::size_t i = 0; i < 3; ++i) {
         matrix[i][i] += mass_kg_;

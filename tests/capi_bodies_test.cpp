@@ -7,6 +7,8 @@
 
 #include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/tests/capi_hulls.hpp"
+#include "pelagic/tests/potential_flow.hpp"
+#include "pelagic/tests/potential_flow_bodies.hpp"
 
 namespace pelagic {
 namespace {
@@ -264,6 +266,39 @@ TEST_F(CInterfaceBodies, RemovedBodiesPressNoMore) {
     EXPECT_GT(pressed, 0.03f);
     EXPECT_LT(depth_after(true, false), 0.3f * pressed);
     EXPECT_LT(depth_after(false, true), 0.3f * pressed);
+}
+
+TEST_F(CInterfaceBodies, HullsWithCoefficientsMoveInSets) {
+    const std::string radiation = text_of_source("tests/potential_flow/hemisphere.1"),
+                      excitation = text_of_source("tests/potential_flow/hemisphere.3");
+    const HullArrays sphere(sphere_mesh(1, 24, 12));
+    auto options = hull_options(1025 * sphere_mesh(1, 24, 12).volume_m3() / 2);
+    options.radiation_text = radiation.c_str();
+    options.excitation_text = excitation.c_str();
+    const CHull buoy = hull_of(sphere, options);
+    const COcean ocean = water();
+    const CBodies bodies = bodies_of(ocean);
+    const std::uint32_t number = add(bodies, buoy, at_rest(buoy, 0, 0));
+    for (int tick = 0; tick < 30; ++tick) advance(ocean, bodies, tick);
+    pelagic_hull_state state = state_of(bodies, number);
+    EXPECT_NE(state.velocity_mps[1], 0);
+    // setting the state that was read keeps the memory of radiation
+    const std::vector<std::uint8_t> before = saved(bodies);
+    EXPECT_EQ(pelagic_bodies_set_state(bodies.get(), number, &state), PELAGIC_OK);
+    EXPECT_EQ(saved(bodies), before);
+    pelagic_hull_loads loads;
+    EXPECT_EQ(pelagic_hull_compute_loads(buoy.get(), ocean.get(), &state, 0, nullptr, &loads),
+              PELAGIC_INVALID_ARGUMENT);
+    EXPECT_STREQ(pelagic_last_error(),
+                 "the hull has radiation_text, expected a hull without: it moves in pelagic_bodies");
+    options.radiation_text = "1 2";
+    const pelagic_hull_mesh mesh = sphere.mesh();
+    pelagic_hull* none = nullptr;
+    EXPECT_EQ(pelagic_hull_create(&mesh, &options, &none), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_STREQ(pelagic_last_error(), "radiation_text: line 1: expected the columns PER I J A(I,J) B(I,J)");
+    options.radiation_text = nullptr;
+    EXPECT_EQ(pelagic_hull_create(&mesh, &options, &none), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_STREQ(pelagic_last_error(), "excitation_text needs radiation_text");
 }
 
 }  // namespace

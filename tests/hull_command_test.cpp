@@ -10,6 +10,7 @@
 
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/test_paths.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
@@ -139,6 +140,10 @@ TEST_F(HullCommand, InvalidOptionsAreRejectedInOneLine) {
         {"--hull-position is 1, expected X,Z", {"--hull", file, "--mass", "9", "--hull-position", "1"}},
         {"--hull-heading 400 is out of range", {"--hull", file, "--mass", "9", "--hull-heading", "400"}},
         {"--hull-center is 9,0,0: centre_of_mass_m.x", {"--hull", file, "--mass", "9", "--hull-center", "9,0,0"}},
+        {"--hull-coefficients is 5; it requires --hull", {"--hull-coefficients", "5"}},
+        {"none.obj.1, which can't be read", {"--hull", file, "--mass", "9", "--hull-coefficients", none}},
+        {"bad.1: line 1: column 4 is x, expected a finite number",
+         {"--hull", file, "--mass", "9", "--hull-coefficients", (folder_ / "bad").string()}},
         {"none.obj, which can't be read", {"--hull", none, "--mass", "9"}},
         {"--points cannot be combined with --hull", {"--hull", file, "--mass", "9", "--points", "-"}},
         {"--foam cannot be combined with --hull", {"--hull", file, "--mass", "9", "--foam"}},
@@ -146,6 +151,7 @@ TEST_F(HullCommand, InvalidOptionsAreRejectedInOneLine) {
         {"expected at most 86400 s",
          {"--hull", file, "--mass", "9", "--loop-period", "86400", "--times", "0:86410:10"}},
     };
+    write_file(folder_ / "bad.1", "2 1 1 x 0\n");
     for (const auto& [reason, more] : cases) {
         const Outcome run = run_pelagic(joined({"query"}, more));
         EXPECT_EQ(run.exit_code, 2);
@@ -153,6 +159,19 @@ TEST_F(HullCommand, InvalidOptionsAreRejectedInOneLine) {
         EXPECT_NE(run.err.find(reason), std::string::npos) << "expected " << reason << ": " << run.err;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }
+}
+
+/// A box has other coefficients than a hemisphere, of a similar size.
+TEST_F(HullCommand, CoefficientsComeFromTheFilesOfAPanelMethod) {
+    const std::string stem = in_sources("tests/potential_flow/hemisphere");
+    const Arguments times = {"--times", "0:1:0.5"}, given = {"--times", "0:1:0.5", "--hull-coefficients", stem};
+    const auto rows = rows_of(query(given, "8"));
+    EXPECT_NE(rows, rows_of(query(times, "8")));
+    EXPECT_EQ(rows, rows_of(query(given, "8")));
+    const double expected_m = mass_kg / (density_kgpm3 * length_m * beam_m);
+    EXPECT_NEAR(rows_of(query(given))[0][draught], expected_m, 0.005 * expected_m + 0.002);
+    expect_one_line(query({"--waves", "pond", "--hull-coefficients", stem}), 2,
+                    "--hull-coefficients: forces of waves are unavailable in a pond, expected ");
 }
 
 TEST_F(HullCommand, AHullThatFliesAwayIsNamedByItsOptions) {
