@@ -13,8 +13,9 @@
 // Without it, A and B act on the motion relative to the water. Drag is that of other hulls; roll_damping adds to B.
 //
 // Limitations. A, B and diffraction are linear: of a hull with less than half of its volume in the water, or with its
-// top below the surface, they fade. Deep water and no forward speed. Diffraction leaves out dynamic waves, wave inputs
-// and waves faster than the file's; it is unavailable on a shore, in a pond, and while the sea changes.
+// top below the surface, they fade. Deep water and no forward speed. The mean drift, of second order, is not that of
+// theory. Diffraction leaves out dynamic waves, wave inputs and waves faster than the file's; it is unavailable on a
+// shore, in a pond, and while the sea changes.
 #pragma once
 
 #include <cstddef>
@@ -84,7 +85,7 @@ class SeaForces {
    public:
     static constexpr double share = 0.99;  ///< of the variance, which the highest waves carry
 
-    /// Returns the diffraction, which is valid until the sea changes. Computes them at the first call in a sea, which takes
+    /// Returns the diffraction, which is valid until the sea changes. The first call in a sea computes it, which takes
     /// about 0.02 ms a wave and allocates.
     /// \pre the hull has a diffraction()
     /// \throws std::invalid_argument  in water without the waves of a frame's sea: "forces of waves are unavailable
