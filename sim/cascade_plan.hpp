@@ -29,6 +29,8 @@ struct CascadePlan {
     /// follows the paper, without it.
     bool has_surface_tension = false;
 
+    /// Cascades of a stack that may have foam, the coarsest ones.
+    static constexpr int max_foam_cascades = 3;
     /// Returns the weight of the cascade's compression in the sum that decides where a stack of
     /// cascades breaks. With l the geometric mean of its longest and shortest wave, it is
     /// min(1, sqrt(l / 5.7 m)). It is 0 for the fourth cascade, and if all waves are shorter than a

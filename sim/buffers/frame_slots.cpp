@@ -1,5 +1,6 @@
 #include "pelagic/sim/buffers/frame_slots.hpp"
 
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 
 namespace pelagic {
@@ -53,15 +54,15 @@ Cascade views_of(const CascadeBuffers& buffers, int n, std::size_t lanes) {
 
 }  // namespace
 
-CascadeBuffers::CascadeBuffers(bool is_one, int n, std::size_t lanes, const FrameContents& contents,
-                               const Allocator& memory)
+CascadeBuffers::CascadeBuffers(bool is_one, bool has_foam, int n, std::size_t lanes,
+                               const FrameContents& contents, const Allocator& memory)
     : surface(contents.planes ? surface_floats(n, lanes) : 0, memory),
       velocity(contents.has_drawn_velocities() ? surface_floats(n, lanes) : 0, memory),
       rgba16f(4 * static_cast<std::size_t>(n) * n, memory),
       rgba8(contents.gradients ? mip_offset(n, mip_levels(n)) : 0, memory),
       slopes(contents.slopes ? mip_offset(n, mip_levels(n)) : 0, memory),
       moments(slopes.size(), memory),
-      compression(contents.foam ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0, memory) {
+      compression(has_foam ? static_cast<std::size_t>(n) * static_cast<std::size_t>(n) : 0, memory) {
     if (contents.has_water_levels()) water = std::make_unique<WaterPlanes>(memory);
     if (contents.queries && is_one) folds.emplace(n, memory);
     if (contents.queries && !is_one) contraction.emplace(n, memory);
@@ -80,7 +81,9 @@ FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, 
     for (Slot& slot : slots_) {
         slot.buffers.reserve(cascades);  // views point into the elements
         for (std::size_t i = 0; i < cascades; ++i) {
-            CascadeBuffers& buffers = slot.buffers.emplace_back(is_one, resolution, lanes, contents, memory);
+            const bool has_foam = contents.foam && i < CascadePlan::max_foam_cascades;
+            CascadeBuffers& buffers =
+                slot.buffers.emplace_back(is_one, has_foam, resolution, lanes, contents, memory);
             slot.cascades.push_back(views_of(buffers, resolution, lanes));
             slot.own_textures.push_back(textures_in(buffers, resolution));
         }

@@ -22,9 +22,10 @@ namespace pelagic {
 
 /// The buffers of a cascade of a frame.
 struct CascadeBuffers {
-    /// \param is_one  whether the frame has one cascade, along the world's axes
+    /// \param is_one    whether the frame has one cascade, along the world's axes
+    /// \param has_foam  whether the cascade may have foam
     /// \param lanes  Kernels::lanes of the instruction set that computes the frame
-    CascadeBuffers(bool is_one, int resolution, std::size_t lanes, const FrameContents& contents,
+    CascadeBuffers(bool is_one, bool has_foam, int resolution, std::size_t lanes, const FrameContents& contents,
                    const Allocator& memory);
     std::size_t bytes() const;
 
@@ -38,7 +39,7 @@ struct CascadeBuffers {
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< if FrameContents::gradients
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if FrameContents::slopes
-    AlignedBuffer<std::uint8_t> compression;       ///< N^2, if FrameContents::foam
+    AlignedBuffer<std::uint8_t> compression;       ///< N^2, if the cascade may have foam
 };
 
 /// Two slots of frame buffers. Stages write to the back slot, which they look up when they run.

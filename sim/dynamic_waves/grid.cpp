@@ -20,8 +20,6 @@ namespace pelagic {
 namespace {
 
 constexpr std::int64_t max_grid_ticks = std::int64_t{1} << 50;
-/// Floats between blocks of lines, so that their distance is not a power of two.
-constexpr std::size_t block_margin = 112;
 /// Foam decays as fast as that of the cascades: 9 bytes in a tenth of a second.
 constexpr std::int64_t foam_fade_per_s = 90;
 
@@ -63,15 +61,12 @@ DynamicWaveGrid::DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, co
     }
     if (options.step == DynamicWavesStep::spectral) {
         plan_.emplace_back(options.resolution);
-        lines_ = AlignedBuffer<float>(n() / kernels_.lanes * block_stride(), memory);
         phases_ = AlignedBuffer<float>(n() * (n() + 2), memory);
         bake_phases();
     }
     placement_.move_to(placement_.first_around(0, 0));
     lay_border();
 }
-
-std::size_t DynamicWaveGrid::block_stride() const { return 2 * kernels_.lanes * n() + block_margin; }
 
 void DynamicWaveGrid::bake_phases() {
     const std::size_t lanes = kernels_.lanes, half = n() / 2;
@@ -148,9 +143,7 @@ StageId DynamicWaveGrid::add_spectral_stages(JobGraph& graph, StageId prepared) 
     const std::size_t blocks = n() / kernels_.lanes, stack_bytes = 8 * n() * kernels_.lanes;
     const auto columns = [this](std::size_t job, FftTables& tables) -> DynamicColumnsJob {
         tables = plan_.front().tables();
-        return {
-            first_texel(height_), first_texel(1 - height_), border(), job * kernels_.lanes, &tables, lines_.data(),
-            block_stride()};
+        return {first_texel(height_), first_texel(1 - height_), border(), job * kernels_.lanes, &tables};
     };
     const StageId transformed = graph.add({.name = "dynamic waves columns",
                                            .count = blocks,
@@ -166,7 +159,9 @@ StageId DynamicWaveGrid::add_spectral_stages(JobGraph& graph, StageId prepared) 
                    .waits_for = {transformed},
                    .body = for_each_item([this](std::size_t job) {
                        const FftTables tables = plan_.front().tables();
-                       kernels_.dynamic_lines({.lines = lines_.data() + job * block_stride(),
+                       const std::size_t first = job * kernels_.lanes * dynamic_row_stride(n());
+                       kernels_.dynamic_lines({.h = first_texel(height_) + first,
+                                               .w = first_texel(1 - height_) + first,
                                                .phases = phases_.data() + job * (n() + 2) * kernels_.lanes,
                                                .fft = &tables});
                    }),
@@ -359,7 +354,7 @@ std::uint64_t DynamicWaveGrid::hash() const {
 
 std::size_t DynamicWaveGrid::bytes() const {
     std::size_t bytes = foam_.bytes() + tick_before_.bytes() + difference_before_.bytes() + sources_.bytes() +
-                        has_foam_.capacity() + phases_.bytes() + lines_.bytes();
+                        has_foam_.capacity() + phases_.bytes();
     for (const auto& plane : planes_) bytes += plane.bytes();
     for (std::size_t axis = 0; axis < 2; ++axis) bytes += damping_[axis].bytes() + shown_[axis].bytes();
     for (const FftPlan& plan : plan_) bytes += plan.bytes();

@@ -109,7 +109,6 @@ class DynamicWaveGrid {
         return placement_.in_torus(z) * n() + placement_.in_torus(x);
     }
     std::size_t n() const { return static_cast<std::size_t>(options_.resolution); }
-    std::size_t block_stride() const;
     /// Returns the plane that holds h after the step. Verlet's overwrites the height of the
     /// previous tick.
     std::size_t stepped_plane() const { return options_.step == DynamicWavesStep::verlet ? 1 - height_ : height_; }
@@ -154,7 +153,6 @@ class DynamicWaveGrid {
     // Only for the spectral step.
     std::vector<FftPlan> plan_;  ///< one, or none for Verlet's
     AlignedBuffer<float> phases_;
-    AlignedBuffer<float> lines_;
 };
 
 }  // namespace pelagic

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pelagic/sim/buffers/item_stage.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 
 namespace pelagic {
@@ -73,7 +74,8 @@ PresentCompression bytes_of_compression(const Cascade& cascade, float slope_unit
 FoamSnapshots::FoamSnapshots(FrameSlots& slots, const Kernels& kernels)
     : slots_(slots), kernels_(kernels), cascades_(slots.cascade_count()) {
     const int n = slots.resolution();
-    for (CascadeSnapshots& cascade : cascades_) {
+    for (CascadeSnapshots& cascade : std::span(cascades_).first(
+             std::min(cascades_.size(), std::size_t{CascadePlan::max_foam_cascades}))) {
         cascade.compression =
             AlignedBuffer<float>(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), slots.memory());
         for (Image& image : cascade.images)

@@ -27,25 +27,22 @@ struct BorderDamping {
 };
 
 /// First pass of the spectral step: damps W columns of z = h + i w in the border, transforms them
-/// along z and transposes them, so that the wave number along z becomes the lane. Third pass:
-/// transforms back into the columns. Stack: 8 N W bytes in the first pass, 16 N W bytes in the
-/// third.
+/// along z and transposes squares of W x W texels in place, so that the wave number along z becomes
+/// the lane: wave number k of column x lies in row k - k % W + x % W, at column x - x % W + k % W.
+/// Third pass: transforms back into the columns. Stack: 8 N W bytes in the first pass, 16 N W bytes in
+/// the third.
 struct DynamicColumnsJob {
     float *h, *w;  ///< texel (0, 0)
     BorderDamping border;
     std::size_t first_column;
     const FftTables* fft;
-    /// All line blocks. Element x of block b is W real parts, then W imaginary parts, at b
-    /// block_stride + 2 x W.
-    float* lines;
-    std::size_t block_stride;
 };
 
-/// Second pass: transforms one block of lines along x, advances each wave by its phase per tick,
-/// and transforms back. Real and imaginary parts are exchanged, because the transform of the
+/// Second pass: transforms one block of W lines along x in place, advances each wave by its phase per
+/// tick, and transforms back. Real and imaginary parts are exchanged, because the transform of the
 /// opposite direction equals the transform of the exchanged number. Stack: 16 N W bytes.
 struct DynamicLinesJob {
-    float* lines;  ///< the block
+    float *h, *w;  ///< first texel of the block
     /// For kx = 0, ..., N/2: W cosines, then W sines of the phase per tick. Both include the
     /// damping per tick and the factor 1/N^2.
     const float* phases;

@@ -80,11 +80,11 @@ void dynamic_columns(const DynamicColumnsJob& job) {
         },
         *job.fft, data);
     for (std::size_t line = 0; line < size; line += lanes) {
-        float* const to = job.lines + line / lanes * job.block_stride + job.first_column * element;
         for (std::size_t component = 0; component < 2; ++component) {
             V transposed[lanes];
             load_transposed<Arch>(data + line * element + component * lanes, element, transposed);
-            for (std::size_t x = 0; x < lanes; ++x) transposed[x].store_aligned(to + x * element + component * lanes);
+            float* const to = (component == 0 ? job.h : job.w) + line * stride + job.first_column;
+            for (std::size_t x = 0; x < lanes; ++x) transposed[x].store_aligned(to + x * stride);
         }
     }
 }
@@ -93,10 +93,17 @@ template <class Arch>
 void dynamic_lines(const DynamicLinesJob& job) {
     using V = xsimd::batch<float, Arch>;
     using C = Complex<Arch>;
-    constexpr std::size_t element = 2 * V::size;
-    const std::size_t size = static_cast<std::size_t>(job.fft->size);
+    constexpr std::size_t lanes = V::size, element = 2 * lanes;
+    const std::size_t size = static_cast<std::size_t>(job.fft->size), stride = dynamic_row_stride(size);
     float* const waves = PELAGIC_STACK_FLOATS(2 * workspace_floats<Arch>(*job.fft));
-    transform_from<Arch>([&](std::size_t x) { return C::load(job.lines + x * element); }, *job.fft, waves);
+    float *const h = job.h, *const w = job.w;
+    const auto place_of = [stride](std::size_t x) { return x % lanes * stride + (x - x % lanes); };
+    transform_from<Arch>(
+        [=](std::size_t x) {
+            const std::size_t place = place_of(x);
+            return C{V::load_aligned(h + place), V::load_aligned(w + place)};
+        },
+        *job.fft, waves);
     // Multiplying the exchanged number by e^(i omega t) multiplies the number by e^(-i omega t).
     // The result is exchanged back for the opposite direction.
     const auto moved_on = [&](std::size_t kx) -> C {
@@ -106,7 +113,12 @@ void dynamic_lines(const DynamicLinesJob& job) {
     };
     float* const moved = waves + size * element;
     transform_from<Arch>(moved_on, *job.fft, moved);
-    for (std::size_t x = 0; x < size; ++x) C::load(moved + x * element).store(job.lines + x * element);
+    for (std::size_t row = 0; row < lanes; ++row)
+        for (std::size_t x = row; x < size; x += lanes) {
+            const C texels = C::load(moved + x * element);
+            texels.re.store_aligned(h + place_of(x));
+            texels.im.store_aligned(w + place_of(x));
+        }
 }
 
 template <class Arch>
@@ -118,10 +130,10 @@ void dynamic_columns_back(const DynamicColumnsJob& job) {
     float* const data = PELAGIC_STACK_FLOATS(2 * workspace_floats<Arch>(fft));
     float* const columns = data + size * element;
     for (std::size_t line = 0; line < size; line += lanes) {
-        const float* const from = job.lines + line / lanes * job.block_stride + job.first_column * element;
         for (std::size_t component = 0; component < 2; ++component) {
+            const float* const from = (component == 0 ? job.h : job.w) + line * stride + job.first_column;
             V transposed[lanes];
-            load_transposed<Arch>(from + component * lanes, element, transposed);
+            load_transposed<Arch>(from, stride, transposed);
             for (std::size_t k = 0; k < lanes; ++k)
                 transposed[k].store_aligned(columns + (line + k) * element + component * lanes);
         }

@@ -166,7 +166,7 @@ WaveReach& WaveReach::extend_to(const WaveReach& other) {
 double CascadePlan::foam_weight() const {
     const DefaultFloatEnvironment environment;
     constexpr double full_weight_m = 5.7;
-    if (min_k >= two_pi || number > 2) return 0;
+    if (min_k >= two_pi || number >= max_foam_cascades) return 0;
     const double longest_m = min_k > 0 ? two_pi / min_k : grid.side_m;
     const double shortest_m = band_texels_per_wave * grid.side_m / resolution;
     return environment.result(std::min(1.0, std::sqrt(std::sqrt(longest_m * shortest_m) / full_weight_m)));
