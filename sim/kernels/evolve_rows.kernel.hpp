@@ -168,9 +168,10 @@ PELAGIC_INLINE void transpose_lines(const float* data, float* lines) {
 
 /// Executes the last step of all fields. As soon as W adjacent elements along x are complete, they are
 /// transposed, so that each row of lines is written once and as a whole.
-/// \param transpose  transpose(x) stores W elements from x on
-template <class Arch, std::size_t Radix, std::size_t Fields, class Transpose>
-PELAGIC_FLATTEN void last_step_transposed(const FftTables& fft, float* data, Transpose transpose) {
+/// \tparam Lines  number of lines in a block
+/// \param transpose  transpose.of<Lines>(x) stores W elements of each line from x on
+template <class Arch, std::size_t Radix, std::size_t Fields, std::size_t Lines, class Transpose>
+PELAGIC_FLATTEN void last_step_transposed(const FftTables& fft, float* data, const Transpose transpose) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     constexpr std::size_t point = 2 * lanes, element = Fields * point;
     const FftStep& step = fft.last_step();
@@ -182,29 +183,37 @@ PELAGIC_FLATTEN void last_step_transposed(const FftTables& fft, float* data, Tra
             for (std::size_t field = 0; field < Fields; ++field)
                 join<Arch, Radix>(data + j * element + field * point, span * element, roots);
         if (chunk == lanes)
-            for (std::size_t k = 0; k < Radix; ++k) transpose(k * span + first);
+            for (std::size_t k = 0; k < Radix; ++k) transpose.template of<Lines>(k * span + first);
     }
     if (chunk < lanes)
-        for (std::size_t x = 0; x < Radix * span; x += lanes) transpose(x);
+        for (std::size_t x = 0; x < Radix * span; x += lanes) transpose.template of<Lines>(x);
 }
 
-/// As above, where transpose_lines(x, count) stores W elements of each line, and `count` is the constant
-/// number of lines: W, or W/2 if N = 16 and W = 16.
-template <class Arch, std::size_t Fields, class TransposeLines>
-inline void last_step_of_lines(const FftTables& fft, std::size_t line_count, float* data,
-                               TransposeLines transpose_lines) {
+/// As above. \param line_count  W, or W/2 if N = 16 and W = 16
+template <class Arch, std::size_t Fields, class Transpose>
+inline void last_step_of_lines(const FftTables& fft, std::size_t line_count, float* data, const Transpose transpose) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
-    const auto transpose = [&]<std::size_t Lines>(std::integral_constant<std::size_t, Lines> count) {
-        return [=](std::size_t x) PELAGIC_INLINE_LAMBDA { transpose_lines(x, count); };
-    };
-    const auto all = transpose(std::integral_constant<std::size_t, lanes>());
     if (fft.last_step().radix == 8)
-        last_step_transposed<Arch, 8, Fields>(fft, data, all);
+        last_step_transposed<Arch, 8, Fields, lanes>(fft, data, transpose);
     else if (line_count == lanes)
-        last_step_transposed<Arch, 4, Fields>(fft, data, all);
+        last_step_transposed<Arch, 4, Fields, lanes>(fft, data, transpose);
     else
-        last_step_transposed<Arch, 4, Fields>(fft, data, transpose(std::integral_constant<std::size_t, lanes / 2>()));
+        last_step_transposed<Arch, 4, Fields, lanes / 2>(fft, data, transpose);
 }
+
+/// Transposes elements into column blocks.
+template <class Arch>
+struct TransposeLines {
+    static constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
+    const float* data;
+    float* lines;
+    std::size_t column_block;  ///< floats
+
+    template <std::size_t Lines>
+    PELAGIC_INLINE void of(std::size_t x) const {
+        transpose_lines<Arch, Lines>(data + x * fields * 2 * lanes, lines + x / lanes * column_block);
+    }
+};
 
 template <class Arch, class OfWaves>
 inline void evolve_lines(const EvolveRowsJob& job) {
@@ -222,11 +231,9 @@ inline void evolve_lines(const EvolveRowsJob& job) {
     else
         evolve(std::integral_constant<std::size_t, 4>());
 
-    const std::size_t column_block = column_block_floats(fft.size, lanes);
-    float* const lines = job.lines + job.first_line * element;
-    last_step_of_lines<Arch, fields>(fft, job.line_count, data, [=](std::size_t x, auto count) PELAGIC_INLINE_LAMBDA {
-        transpose_lines<Arch, count.value>(data + x * fields * 2 * lanes, lines + x / lanes * column_block);
-    });
+    last_step_of_lines<Arch, fields>(
+        fft, job.line_count, data,
+        TransposeLines<Arch>{data, job.lines + job.first_line * element, column_block_floats(fft.size, lanes)});
 }
 
 template <class Arch>

@@ -59,6 +59,32 @@ PELAGIC_FLATTEN void evolve_water_pair(const WaterRowsJob& job, const VelocityOf
     if (HasNegatives) transform(minus, minus_head, minus_wave, true, data + job.fft->positions[pair.minus] * element);
 }
 
+/// Transposes elements into lines in a grid's texels.
+template <class Arch, std::size_t Fields>
+struct TransposeWaterLines {
+    static constexpr std::size_t lanes = xsimd::batch<float, Arch>::size, element = Fields * 2 * lanes;
+    const float* data;
+    float* texels;  ///< of the first line
+    std::size_t row_floats;
+
+    template <std::size_t Lines>
+    PELAGIC_INLINE void of(std::size_t x) const {
+        const auto transpose = [&](std::size_t of_element, std::size_t row, std::size_t component) {
+            xsimd::batch<float, Arch> block[lanes];
+            load_transposed<Arch>(data + x * element + of_element * lanes, element, block);
+            float* to = texels + row * row_floats + 4 * x + component * lanes;
+            for (std::size_t i = 0; i < Lines; ++i, to += 2 * row_floats) block[i].store_aligned(to);
+        };
+        transpose(2 * field_p, 0, water_pair_re), transpose(2 * field_p + 1, 0, water_pair_im);
+        transpose(2 * field_r, 1, water_pair_re), transpose(2 * field_r + 1, 1, water_pair_im);
+        transpose(2 * field_h, 0, water_rise_re), transpose(2 * field_h + 1, 0, water_rise_im);
+        if constexpr (Fields > field_head) {
+            transpose(2 * field_head, 1, water_rise_re);
+            transpose(2 * field_head + 1, 1, water_rise_im);
+        }
+    }
+};
+
 template <class Arch, std::size_t Fields>
 inline void water_rows_of(const WaterRowsJob& job) {
     using V = xsimd::batch<float, Arch>;
@@ -76,21 +102,9 @@ inline void water_rows_of(const WaterRowsJob& job) {
     else
         evolve(std::integral_constant<std::size_t, 4>());
 
-    const std::size_t row_floats = job.row_floats;
-    float* const texels = job.texels + 2 * job.first_line * row_floats;
-    last_step_of_lines<Arch, Fields>(fft, job.line_count, data, [=](std::size_t x, auto count) PELAGIC_INLINE_LAMBDA {
-        const auto transpose = [=](std::size_t of_element, std::size_t row, std::size_t component) {
-            V block[lanes];
-            load_transposed<Arch>(data + x * element + of_element * lanes, element, block);
-            float* to = texels + row * row_floats + 4 * x + component * lanes;
-            for (std::size_t i = 0; i < count.value; ++i, to += 2 * row_floats) block[i].store_aligned(to);
-        };
-        transpose(2 * field_p, 0, water_pair_re), transpose(2 * field_p + 1, 0, water_pair_im);
-        transpose(2 * field_r, 1, water_pair_re), transpose(2 * field_r + 1, 1, water_pair_im);
-        transpose(2 * field_h, 0, water_rise_re), transpose(2 * field_h + 1, 0, water_rise_im);
-        if constexpr (Fields > field_head)
-            transpose(2 * field_head, 1, water_rise_re), transpose(2 * field_head + 1, 1, water_rise_im);
-    });
+    last_step_of_lines<Arch, Fields>(
+        fft, job.line_count, data,
+        TransposeWaterLines<Arch, Fields>{data, job.texels + 2 * job.first_line * job.row_floats, job.row_floats});
 }
 
 template <class Arch>
