@@ -47,8 +47,8 @@ PELAGIC_FLATTEN void evolve_water_pair(const WaterRowsJob& job, const VelocityOf
             if (HasNegatives) minus_head[Radix - 1 - s] = height_of_wave<Arch>(minus_s, head);
         }
     }
-    const auto transform = [element](const C(&velocity)[Radix], const C(&head)[Radix], auto wave, bool mirrored,
-                                     float* to) {
+    const auto transform = [](const C(&velocity)[Radix], [[maybe_unused]] const C(&head)[Radix], auto wave,
+                              bool mirrored, float* to) {
         first_step<Arch, Fields>(velocity, velocity, wave, mirrored, to);
         if constexpr (Fields > field_head)
             butterfly<Arch, Radix>([&](std::size_t s) { return head[s]; },
@@ -87,8 +87,6 @@ struct TransposeWaterLines {
 
 template <class Arch, std::size_t Fields>
 inline void water_rows_of(const WaterRowsJob& job) {
-    using V = xsimd::batch<float, Arch>;
-    constexpr std::size_t lanes = V::size, element = Fields * 2 * lanes;
     const FftTables& fft = *job.fft;
     float* const data = PELAGIC_STACK_FLOATS(Fields * workspace_floats<Arch>(fft));
     const VelocityOfWaves<Arch> of_waves(job);
