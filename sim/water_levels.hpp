@@ -46,9 +46,8 @@ struct DepthLadder {
     std::size_t count = 0;                        ///< at least 3
     std::array<std::array<DepthWeights, steps + 1>, max_levels - 1> weights{};
 
-    /// What leaves out waves shorter than a footprint: a level's weight is the sum over the wave numbers of
-    /// `filter` times the fraction that remains of each (remaining_of()). `along` is for pressure and
-    /// horizontal velocity, `up` for vertical velocity.
+    /// What leaves out waves shorter than a footprint: a level's weight is the sum over the wave numbers of these
+    /// numbers times the fraction that remains of each. `along` is for pressure and horizontal velocity, `up` for vertical velocity.
     struct Filter {
         static constexpr std::size_t waves = 32;
         using OfLevels = std::array<std::array<float, waves>, max_levels>;

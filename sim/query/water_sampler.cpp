@@ -17,6 +17,12 @@ namespace {
 /// Largest footprint over the depth of the water: of longer waves pressure and velocity hardly decrease with depth.
 constexpr double max_footprint_depths = 2;
 
+/// Returns what a footprint leaves of a wave: 0.94 of one of twice the footprint, 0.06 of one of half of it.
+double remaining_of(double k, double footprint_m) {
+    const double part = k * footprint_m / two_pi, square = part * part;
+    return 1 / (1 + square * square);
+}
+
 /// The cubic B-spline's weights of four texels at t in [0, 1] from the second to the third of them.
 FourFloats spline_weights(float t) {
     constexpr FourFloats constant{1.f / 6, 4.f / 6, 1.f / 6, 0}, linear{-0.5f, 0, 0.5f, 0},

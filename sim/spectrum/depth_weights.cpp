@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -121,11 +120,6 @@ void fit_weights(DepthLadder& ladder, double min_k, double max_k, double water_m
             }
         }
     }
-}
-
-double remaining_of(double k, double footprint_m) {
-    const double part = k * footprint_m / two_pi, square = part * part;
-    return 1 / (1 + square * square);
 }
 
 void fit_filter(DepthLadder& ladder, double min_k, double max_k, double water_m) {

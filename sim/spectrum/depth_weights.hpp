@@ -28,8 +28,4 @@ void fit_weights(DepthLadder& ladder, double min_k, double max_k, double water_m
 /// \param min_k, max_k  the waves, rad/m
 void fit_filter(DepthLadder& ladder, double min_k, double max_k, double water_m);
 
-/// Returns what a footprint leaves of a wave, 1 / (1 + (k footprint / 2 pi)^4): 0.94 of one of twice the footprint, 0.06
-/// of one of half the footprint.
-double remaining_of(double k, double footprint_m);
-
 }  // namespace pelagic
