@@ -9,18 +9,24 @@
 # sea's reproducible values.
 set -euo pipefail
 seas=(
-  "default.csv       --wind-speed 9 --time 12.5 --interpolation linear"
-  "storm.csv         --preset storm --foam --time 33.3 --interpolation linear"
-  "pond.csv          --preset pond --time 3 --interpolation linear"
-  "analytic.csv      --preset analytic-intense --time 3.25 --interpolation linear"
-  "default_cubic.csv --wind-speed 9 --time 12.5"
-  "pond_cubic.csv    --preset pond --time 3 --interpolation cubic"
+  "default.csv       points.csv --wind-speed 9 --time 12.5 --interpolation linear"
+  "storm.csv         points.csv --preset storm --foam --time 33.3 --interpolation linear"
+  "pond.csv          points.csv --preset pond --time 3 --interpolation linear"
+  "analytic.csv      points.csv --preset analytic-intense --time 3.25 --interpolation linear"
+  "default_cubic.csv points.csv --wind-speed 9 --time 12.5"
+  "pond_cubic.csv    points.csv --preset pond --time 3 --interpolation cubic"
+  "velocities.csv    points.csv --wind-speed 9 --time 12.5 --velocities water"
+  "footprint.csv     points.csv --wind-speed 9 --time 12.5 --footprint 20"
+  "water.csv         points_below.csv --wind-speed 9 --time 12.5"
+  "water_linear.csv  points_below.csv --preset storm --depth 30 --time 33.3 --interpolation linear"
+  "water_long.csv    points_below.csv --wind-speed 9 --depth 30 --time 12.5 --footprint 12"
+  "water_exact.csv   points_below.csv --wind-speed 9 --depth 30 --time 12.5 --footprint 12 --interpolation exact"
 )
 
 if [ "$1" = --write ]; then
   for sea in "${seas[@]}"; do
     read -ra words <<<"$sea"
-    "${@:3}" query --points "$2/query/points.csv" "${words[@]:1}" >"$2/query/${words[0]}"
+    "${@:3}" query --points "$2/query/${words[1]}" "${words[@]:2}" >"$2/query/${words[0]}"
   done
   exit
 fi
@@ -33,7 +39,7 @@ read -ra isas <<<"$(sed -E 's/.*isas_here:\[([^]]*)\].*/\1/; s/,/ /g' <<<"$info"
 for isa in "${isas[@]}"; do
   for sea in "${seas[@]}"; do
     read -ra words <<<"$sea"
-    "${pelagic[@]}" query --isa "$isa" --points "$golden/query/points.csv" "${words[@]:1}" >"$work/rows.csv"
+    "${pelagic[@]}" query --isa "$isa" --points "$golden/query/${words[1]}" "${words[@]:2}" >"$work/rows.csv"
     cmp "$golden/query/${words[0]}" "$work/rows.csv" || { echo "$isa: $sea"; diff "$golden/query/${words[0]}" "$work/rows.csv"; exit 1; }
   done
   expected=$(sed -n 's/^default@0 //p' "$golden/hashes.txt")
