@@ -160,6 +160,8 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     for (const auto& [a, b, c] : triangles_) {
         const double in_plan = std::fabs(glm::cross(arms_m_[b] - arms_m_[a], arms_m_[c] - arms_m_[a]).y);
         for (const std::uint32_t vertex : {a, b, c}) weights_[vertex] += in_plan;
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+            longest_edge_m_ = std::max(longest_edge_m_, glm::length(arms_m_[to] - arms_m_[from]));
         sum += 3 * in_plan;
     }
     for (double& weight : weights_) weight /= sum;
@@ -180,6 +182,12 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     if (!afloat_.floats) return;
     const double weight_n = mass_kg_ * gravity_mps2;
     const double heave_n_per_m = options.water_density_kgpm3 * gravity_mps2 * afloat_.waterplane_m2;
+    const auto period_s = [](double mass, double stiffness) {
+        return stiffness > 0 ? two_pi * std::sqrt(mass / stiffness) : 0;
+    };
+    afloat_.heave_period_s = period_s(mass_kg_ + added_mass_[1][1], heave_n_per_m);
+    afloat_.roll_period_s = period_s(inertia_kgm2_.x + added_mass_[3][3], weight_n * afloat_.roll_gm_m);
+    afloat_.pitch_period_s = period_s(inertia_kgm2_.z + added_mass_[5][5], weight_n * afloat_.pitch_gm_m);
     heave_wave_number_ = heave_n_per_m / (mass_kg_ + added_mass_[1][1]) / gravity_mps2;
     strip_damping_ = (options.heave_damping > 0
                           ? 2 * options.heave_damping * std::sqrt(heave_n_per_m * (mass_kg_ + added_mass_[1][1]))

@@ -181,6 +181,8 @@ struct HullAfloat {
     double height_m = 0;   ///< of the centre of mass above the water
     double waterplane_m2 = 0;
     double roll_gm_m = 0, pitch_gm_m = 0;  ///< metacentric heights
+    /// Periods of small motions without damping, 2 pi sqrt((M + A) / C); 0 for one that does not return.
+    double heave_period_s = 0, roll_period_s = 0, pitch_period_s = 0;
 };
 
 /// Memory of a step, reused so that steps allocate nothing after the first.
@@ -250,6 +252,9 @@ class Hull {
     /// Returns the XXH3 of mesh, mass and coefficients. Hulls of equal digests move
     /// bit-identically.
     std::uint64_t digest() const;
+    /// Returns the longest edge between points that sample the water: at most a tenth of the hull's length, unless
+    /// the mesh would have more than 4,096 points.
+    double longest_edge_m() const { return longest_edge_m_; }
     /// Returns the world position of the mesh's origin, to draw it.
     glm::dvec3 mesh_origin_m(const HullState& state) const;
 
@@ -343,6 +348,7 @@ class Hull {
     std::shared_ptr<const ForceTable> diffraction_;
     HullAfloat afloat_;
     double footprint_m_ = 0;  // twice the distance of vertices
+    double longest_edge_m_ = 0;
     double floating_volume_m3_ = 0;
     glm::dvec3 displaced_m5_{};  // second moments of the water that the hull at rest displaces
     double middle_weight_ = 1;      // of the displaced water in the mean vertical acceleration

@@ -24,6 +24,7 @@
 #include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/hulls/hull_notes.hpp"
 #include "pelagic/tools/hulls/hull_options.hpp"
 #include "pelagic/tools/hulls/hull_player.hpp"
 #include "pelagic/tools/measure/buoy_record.hpp"
@@ -404,6 +405,7 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
     const EventOptions events = *events_.resolve(sea.sea.depth_m, launch.place());
     require_reachable(events, times_s.back());
     require_reachable(times_s.front(), times_s.back());
+    for (const std::string& note : notes_on(*launch.hull, sea.sea)) print_note(note);
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(forecast_of(sea),
