@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/exact_water.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/water_query.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/message_of.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
+#include "pelagic/tests/test_paths.hpp"
 
 namespace pelagic {
 namespace {
@@ -114,6 +119,51 @@ TEST(WaterQuery, VelocityAtTheSurfaceIsAirys) {
         for (const double texels : {8.0, 16.0, 32.0, 128.0})
             EXPECT_LT(largest_errors(texels, 6, water_m, 0.4, true).velocity, texels < 16 ? 0.03 : 0.01)
                 << water_m << " m, " << texels << " texels";
+}
+
+/// Returns the errors against the exact sum over waves at a depth, in percent of the amplitudes at the surface, as
+/// "pressure / velocity".
+std::string percents_at(double texels, double depth_over_wave) {
+    const SeaState sea = wave_of(texels, 6, 4000, 0.4);
+    const double omega = 2 * pi / 6, k = oracle::wave_number_at(omega, sea.depth_m);
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .depth = true});
+    const ExactWater exact = ExactWater(sea).at(0.3);
+    std::vector<double> x, z;
+    for (int i = 0; i < 400; ++i) {
+        x.push_back(211.5 * std::sin(1.0 + 17 * i));
+        z.push_back(387.25 * std::cos(3.0 * i));
+    }
+    std::vector<float> heights(x.size());
+    exact.sample_surface({x, z}, {.height_m = heights});
+    std::vector<double> y;
+    for (const float height : heights) y.push_back(static_cast<double>(height) - depth_over_wave * 2 * pi / k);
+    Motion frame(x.size()), sum(x.size());
+    WaterQuery(ocean.frame_at(0.3), {.surface = {.interpolation = Interpolation::cubic}})
+        .sample({x, y, z}, frame.samples());
+    exact.sample({x, y, z}, sum.samples());
+    const auto percent = [&](const std::vector<float> Motion::*of, double unit) {
+        double worst = 0;
+        for (std::size_t i = 0; i < x.size(); ++i)
+            worst = std::max(worst, std::fabs(static_cast<double>((frame.*of)[i]) - static_cast<double>((sum.*of)[i])));
+        return std::round(1000 * worst / unit) / 10;
+    };
+    const double velocity = std::max({percent(&Motion::vx, omega * amplitude_m), percent(&Motion::vy, omega * amplitude_m),
+                                      percent(&Motion::vz, omega * amplitude_m)});
+    char text[64];
+    std::snprintf(text, sizeof text, "%.1f / %.1f", percent(&Motion::pressure, 1025 * gravity_mps2 * amplitude_m),
+                  velocity);
+    return text;
+}
+
+// The rows of the table in docs/queries.md.
+TEST(WaterQuery, ErrorsByDepthAndWavelengthAreThoseOfTheDocumentation) {
+    std::ifstream page(in_sources("docs/queries.md"));
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    for (const int texels : {8, 12, 16, 32, 64}) {
+        std::string row = "| " + std::to_string(texels);
+        for (const double depth : {0.0, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2}) row += " | " + percents_at(texels, depth);
+        EXPECT_NE(text.find(row + " |\n"), std::string::npos) << row << " |";
+    }
 }
 
 /// Points around the surface of a steep sea.

@@ -74,6 +74,10 @@ LineStatistics& LineStatistics::operator+=(const LineStatistics& other) {
     level_m += other.level_m;
     stokes_x += other.stokes_x;
     stokes_z += other.stokes_z;
+    lacking_x += other.lacking_x;
+    lacking_z += other.lacking_z;
+    lacking_size += other.lacking_size;
+    lacking_k += other.lacking_k;
     return *this;
 }
 
@@ -109,7 +113,11 @@ LineStatistics between(const LineStatistics& before, const LineStatistics& after
                 .compression_drop_z = of.compression_drop_z * factor,
                 .level_m = of.level_m * factor,
                 .stokes_x = of.stokes_x * factor,
-                .stokes_z = of.stokes_z * factor};
+                .stokes_z = of.stokes_z * factor,
+                .lacking_x = of.lacking_x * factor,
+                .lacking_z = of.lacking_z * factor,
+                .lacking_size = of.lacking_size * factor,
+                .lacking_k = of.lacking_k * factor};
     };
     add(before, 1 - weight);
     add(after, weight);
@@ -129,6 +137,8 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
     const FoamFront fronts = foam_front(sea);
     const CascadeGrid::Vector front = cascade.grid.in_cascade(fronts.x, fronts.z);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 is its own mirror
+    const double largest_moving_k =
+        two_pi / (WaterLevels::shortest_velocity_texels * cascade.grid.side_m / cascade.resolution);
     LineStatistics all;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
     std::uint32_t* harmonic = out.block_harmonics(line / out.lanes) + line % out.lanes;
@@ -202,6 +212,11 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
                 statistics.stokes_x = running * (signed_m * spacing);
                 statistics.stokes_z = running * (n * spacing);
+                const double lacking = k > largest_moving_k ? 1 : 0.5 * sea.choppiness;
+                statistics.lacking_x = lacking * statistics.stokes_x;
+                statistics.lacking_z = lacking * statistics.stokes_z;
+                statistics.lacking_size = lacking * std::fabs(running) * k;
+                statistics.lacking_k = statistics.lacking_size * k;
                 all += statistics;
                 if (by_band && opposites.expected_square() > 0) (*by_band)[harmonic_band(periods)] += statistics;
             };

@@ -172,7 +172,13 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     cascade.grid = grid_;
     shown.choppiness = static_cast<float>(choppiness);
     cascade.level_m = shown.level_m = mean_level_m(choppiness, statistics);
-    if (levels_ && pass == Pass::frame) slots_.buffers(cascade_).water->view(levels_->layout(), cascade.water);
+    if (levels_ && pass == Pass::frame) {
+        slots_.buffers(cascade_).water->view(levels_->layout(), cascade.water);
+        const auto [x, z] = grid_.in_world(statistics.lacking_x, statistics.lacking_z);
+        cascade.water.drift_x_mps = x;
+        cascade.water.drift_z_mps = z;
+        cascade.water.drift_k = statistics.lacking_size > 0 ? statistics.lacking_k / statistics.lacking_size : 0;
+    }
     shown.is_idle = moment.whitecaps_only && foam_weight_ == 0;
 }
 

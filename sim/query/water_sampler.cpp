@@ -141,7 +141,10 @@ WaterMotion motion_with(const Cascade& cascade, double depth_m, const ReferenceC
         motion.head.along += of_head * (taps.scale * taps.along()[3]);
         motion.head.across += of_head * (taps.scale * taps.across()[3]);
     }
-    motion.velocity_mps = {sum[0], sum[1], sum[2]};
+    const double stretched = 1 + water.drift_k * depth_m;
+    const float remaining = static_cast<float>(1 / (stretched * stretched));
+    motion.velocity_mps = {sum[0] + remaining * static_cast<float>(water.drift_x_mps), sum[1],
+                           sum[2] + remaining * static_cast<float>(water.drift_z_mps)};
     motion.head.value += sum[3];
     return motion;
 }
@@ -150,7 +153,8 @@ WaterMotion motion_with(const Cascade& cascade, double depth_m, const ReferenceC
 
 std::array<float, 3> surface_velocity(const Cascade& cascade, const ReferenceCell& at) {
     const FourFloats values = SplineTaps(cascade, cascade.water.grids[0], at).values();
-    return {values[0], values[1], values[2]};
+    return {values[0] + static_cast<float>(cascade.water.drift_x_mps), values[1],
+            values[2] + static_cast<float>(cascade.water.drift_z_mps)};
 }
 
 HeadSample surface_head(const SurfaceTexels& texels, float level_m, const ReferenceCell& at,
