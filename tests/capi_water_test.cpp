@@ -91,6 +91,34 @@ TEST(CInterfaceWater, EqualsWaterQuery) {
             }
 }
 
+TEST(CInterfaceWater, SurfacesLeaveOutWavesAsSurfaceQueryDoes) {
+    const Points points(600);
+    const COcean ocean = ocean_of(stack_sea(3), with_depth());
+    Ocean ours({.cascades = 3, .resolution = 32},
+               {.executor = make_serial_executor(), .queries = true, .depth = true});
+    const Frame& frame = ours.frame_at(7);
+    complete(ocean, 7);
+    auto where = pelagic_points_make();
+    where.count = points.x.size(), where.x = points.x.data(), where.z = points.z.data(), where.footprint_m = 25;
+    std::vector<float> c(points.x.size()), cpp(points.x.size()), all(points.x.size());
+    auto to = pelagic_samples_make();
+    to.height_m = c.data();
+    ASSERT_EQ(pelagic_ocean_query(ocean.get(), &where, &to), PELAGIC_OK) << pelagic_last_error();
+    SurfaceQuery(frame).sample({points.x, points.z, 25}, {.height_m = cpp});
+    SurfaceQuery(frame).sample({points.x, points.z}, {.height_m = all});
+    EXPECT_EQ(c, cpp);
+    EXPECT_NE(c, all);
+    where.footprint_m = -1;
+    expect_rejected(pelagic_ocean_query(ocean.get(), &where, &to), "points.footprint_m is -1, expected 0 or more");
+    where.footprint_m = 1;
+    auto options = with_depth();
+    options.depth = 0;
+    const COcean shallow = ocean_of(small_sea(), options);
+    complete(shallow, 0);
+    expect_rejected(pelagic_ocean_query(shallow.get(), &where, &to),
+                    "points.footprint_m needs an ocean that was created with pelagic_ocean_options.depth");
+}
+
 TEST(CInterfaceWater, IsThatOfAFrameByItsNumber) {
     const Points points(20);
     const COcean ocean = ocean_of(stack_sea(2), with_depth());

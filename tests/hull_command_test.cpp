@@ -146,6 +146,7 @@ TEST_F(HullCommand, InvalidOptionsAreRejectedInOneLine) {
          {"--hull", file, "--mass", "9", "--hull-coefficients", (folder_ / "bad").string()}},
         {"none.obj, which can't be read", {"--hull", none, "--mass", "9"}},
         {"--points cannot be combined with --hull", {"--hull", file, "--mass", "9", "--points", "-"}},
+        {"--footprint cannot be combined with --hull", {"--hull", file, "--mass", "9", "--footprint", "9"}},
         {"--foam cannot be combined with --hull", {"--hull", file, "--mass", "9", "--foam"}},
         {"--events-side is 5; it requires --events", {"--events-side", "5"}},
         {"expected at most 86400 s",
@@ -178,6 +179,35 @@ TEST_F(HullCommand, AHullThatFliesAwayIsNamedByItsOptions) {
     expect_one_line(run_pelagic({"query", "--hull", (folder_ / "box.obj").string(), "--mass", "4000", "--hull-thrust",
                                  "1e12", "--resolution", "32", "--cascades", "1"}),
                     2, "--mass 4000 --hull-thrust 1e12: the hull moves out of range: ");
+}
+
+// The box in still water: closed forms of the stiffnesses rho g A and m g GM. Masses over these are the squares of
+// periods over 2 pi, with an added mass of at most three times the mass.
+TEST_F(HullCommand, PrintsNaturalPeriodsAndLimits) {
+    const Outcome run = query({"--times", "0:1:1"});
+    EXPECT_EQ(run.exit_code, 0);
+    const auto number_after = [&](const std::string& text) {
+        const std::size_t at = run.err.find(text);
+        EXPECT_NE(at, std::string::npos) << run.err;
+        return at == std::string::npos ? 0 : std::stod(run.err.substr(at + text.size()));
+    };
+    constexpr double g = 9.80665, pi = 3.14159265358979;
+    const double draught = mass_kg / (density_kgpm3 * length_m * beam_m);
+    const double heave_s = 2 * pi * std::sqrt(mass_kg / (density_kgpm3 * g * length_m * beam_m));
+    const double gm_m = draught / 2 - 0.5 + beam_m * beam_m / (12 * draught),
+                 roll_s = 2 * pi * std::sqrt((beam_m * beam_m + 1) / 12 / (g * gm_m));
+    EXPECT_GT(number_after("heave "), heave_s);
+    EXPECT_LT(number_after("heave "), 2 * heave_s);
+    EXPECT_GT(number_after("roll "), roll_s);
+    EXPECT_LT(number_after("roll "), 2 * roll_s);
+    // 100 m over 32 texels, 4.2 of them
+    EXPECT_NEAR(number_after("velocities of waves from "), 13.1, 0.1);
+    EXPECT_EQ(run.out.find("note"), std::string::npos);
+    // in a sea whose waves the grid holds and the hull is small against, only the periods are printed
+    const Outcome fits = run_pelagic({"query", "--hull", (folder_ / "box.obj").string(), "--mass", "2000", "--times",
+                                      "0:0.1:0.1", "--resolution", "64"});
+    EXPECT_NE(fits.err.find("length over peak wavelength: 0.0"), std::string::npos) << fits.err;
+    EXPECT_EQ(fits.err.find("expected at most"), std::string::npos) << fits.err;
 }
 
 TEST_F(HullCommand, AHullThatCapsizesIsNoted) {

@@ -423,6 +423,28 @@ TEST(QueryCommand, NamesFileLineAndTextOfInvalidInput) {
     }
 }
 
+TEST(QueryCommand, AFootprintLeavesOutShortWaves) {
+    const std::vector<std::string> sea = {"--resolution", "64", "--cascades", "1", "--patch-size", "200", "--choppiness",
+                                          "0"};
+    const auto first_height = [&](std::vector<std::string> more) {
+        more.insert(more.end(), sea.begin(), sea.end());
+        const Outcome outcome = query("3,4\n", more);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return static_cast<float>(numbers_in(lines_of(outcome.out)[1])[2]);
+    };
+    SeaState state{.patch_size_m = 200};
+    state.resolution = 64, state.cascades = 1, state.choppiness = 0;
+    Ocean ocean(state, {.queries = true, .depth = true});
+    const double x = 3, z = 4;
+    float height = 0;
+    SurfaceQuery(ocean.frame_at(0), {.interpolation = Interpolation::cubic})
+        .sample({{&x, 1}, {&z, 1}, 30}, {.height_m = {&height, 1}});
+    EXPECT_EQ(first_height({"--footprint", "30"}), height);
+    ExactWater(state).sample_surface({{&x, 1}, {&z, 1}, 30}, {.height_m = {&height, 1}});
+    EXPECT_EQ(first_height({"--footprint", "30", "--interpolation", "exact"}), height);
+    EXPECT_NE(first_height({}), first_height({"--footprint", "30"}));
+}
+
 TEST(QueryCommand, NamesTheMissingOrInvalidOption) {
     const TemporaryFolder folder;
     write_file(folder / "points.csv", "1,2\n");
@@ -438,6 +460,11 @@ TEST(QueryCommand, NamesTheMissingOrInvalidOption) {
              {{"query", "--points", points, "--time", "2e9"}, "--time is 2e9, expected seconds in [-1e9, 1e9]"},
              {{"query", "--points", points, "--interpolation", "quintic"},
               "--interpolation is quintic, expected linear, cubic or exact"},
+             {{"query", "--points", points, "--footprint", "-1"}, "--footprint -1 is out of range [0, 10000] m"},
+             {{"query", "--points", points, "--footprint", "5", "--waves", "pond"},
+              "--waves pond cannot be combined with --footprint"},
+             {{"query", "--points", points, "--footprint", "5", "--velocities", "drawn"},
+              "--velocities drawn cannot be combined with --footprint"},
              {{"query", "--points", points, "--choppiness", "2"}, "--choppiness 2 is out of range [0, 1]"},
              {{"query", "--points", points, "--tmie", "2"}, "unknown option --tmie, the nearest known one is --time"},
              {{"ask"},
