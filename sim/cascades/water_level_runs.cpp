@@ -164,7 +164,8 @@ void WaterLevelRuns::bake(const PackedSpectrum& of, const FftPlan& plan, const C
     const int resolution = grid.resolution, radix = transform.fft.first_step().radix;
     const WavePlaces places(plan, resolution_);
     const double spacing = cascade.spacing();
-    const double largest_k = two_pi / (WaterLevels::shortest_velocity_texels * cascade.grid.side_m / cascade.resolution);
+    const double largest_k =
+        two_pi / (WaterLevels::shortest_velocity_texels * cascade.grid.side_m / cascade.resolution);
     const std::size_t lanes = out.lanes;
     for (std::size_t line = 0; line < line_count(resolution); ++line) {
         const int n = static_cast<int>(line);

@@ -11,8 +11,8 @@ namespace {
 /// Wave numbers of the fit, in equal ratios.
 constexpr int fitted_waves = 48;
 
-/// Price of the mean square of a filter's weights. With a tenth of it, waves of twice a footprint would keep 0.93 instead
-/// of 0.91, and weights, with the errors of levels, would be twice as large.
+/// Price of the mean square of a filter's weights. With a tenth of it, waves of twice a footprint would keep 0.93
+/// instead of 0.91, and weights, with the errors of levels, would be twice as large.
 constexpr double price_of_weights = 1e-4;
 
 using Column = std::array<double, 3>;
@@ -36,7 +36,8 @@ Column solved(std::array<Column, 3> matrix, Column right) {
 }
 
 /// Solves the normal equations of all waves: (A^T A + price) F = A^T, with a row of A for each wave.
-void fit_filter(const DepthLadder& ladder, double DepthFactors::*factor, double water_m, DepthLadder::Filter::OfLevels& to) {
+void fit_filter(const DepthLadder& ladder, double DepthFactors::*factor, double water_m,
+                DepthLadder::Filter::OfLevels& to) {
     constexpr std::size_t levels = DepthLadder::max_levels, waves = DepthLadder::Filter::waves;
     const std::size_t count = ladder.count;
     std::array<std::array<double, levels>, levels> matrix{};
@@ -47,13 +48,15 @@ void fit_filter(const DepthLadder& ladder, double DepthFactors::*factor, double 
                 depth_factors(static_cast<double>(ladder.filter.k[wave]), ladder.depths_m[level], water_m).*factor;
     for (std::size_t row = 0; row < count; ++row) {
         for (std::size_t column = 0; column < count; ++column)
-            for (std::size_t wave = 0; wave < waves; ++wave) matrix[row][column] += right[row][wave] * right[column][wave];
+            for (std::size_t wave = 0; wave < waves; ++wave)
+                matrix[row][column] += right[row][wave] * right[column][wave];
         matrix[row][row] += price_of_weights * waves;
     }
     for (std::size_t pivot = 0; pivot < count; ++pivot)
         for (std::size_t row = pivot + 1; row < count; ++row) {
             const double part = matrix[row][pivot] / matrix[pivot][pivot];
-            for (std::size_t column = pivot; column < count; ++column) matrix[row][column] -= part * matrix[pivot][column];
+            for (std::size_t column = pivot; column < count; ++column)
+                matrix[row][column] -= part * matrix[pivot][column];
             for (std::size_t wave = 0; wave < waves; ++wave) right[row][wave] -= part * right[pivot][wave];
         }
     for (std::size_t row = count; row-- > 0;)
