@@ -166,6 +166,36 @@ TEST(WaterQuery, ErrorsByDepthAndWavelengthAreThoseOfTheDocumentation) {
     }
 }
 
+// Stokes (1847): (ka)^2 c of the second order; those of the third are ka of it.
+TEST(WaterQuery, WaterThatFollowsVelocitiesDriftsAsStokes) {
+    constexpr double period_s = 4, ka = 0.04;
+    constexpr int periods = 6, steps = 48, count = 24;
+    const double omega = 2 * pi / period_s, k = oracle::wave_number_at(omega, 4000), c = omega / k;
+    for (const double choppiness : {0.0, 0.5, 1.0}) {
+        SeaState sea = wave_of(32, period_s, 4000, 0);
+        sea.choppiness = choppiness;
+        sea.regular_height_m = 2 * ka / k;
+        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = Velocities::water});
+        std::vector<double> x(count), z(count);
+        for (int i = 0; i < count; ++i) x[static_cast<std::size_t>(i)] = 2 * pi / k * i / count;
+        const std::vector<double> begin = x;
+        std::vector<float> speed(count);
+        const double step_s = period_s / steps;
+        for (int step = 0; step < periods * steps; ++step) {
+            const std::vector<double> before = x;
+            for (const double part : {0.5, 1.0}) {  // by the midpoint
+                SurfaceQuery(ocean.frame_at((step + (part == 1 ? 0.5 : 0)) * step_s), {.interpolation = Interpolation::cubic})
+                    .sample({x, z}, {.velocity_x_mps = speed});
+                for (std::size_t i = 0; i < x.size(); ++i)
+                    x[i] = before[i] + part * step_s * static_cast<double>(speed[i]);
+            }
+        }
+        double drift_mps = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) drift_mps += (x[i] - begin[i]) / (count * periods * period_s);
+        EXPECT_NEAR(drift_mps / (ka * ka * c), 1, 0.06) << choppiness;
+    }
+}
+
 /// Points around the surface of a steep sea.
 struct Points {
     std::vector<double> x, y, z;

@@ -212,7 +212,7 @@ LineStatistics bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
                 statistics.stokes_x = running * (signed_m * spacing);
                 statistics.stokes_z = running * (n * spacing);
-                const double lacking = k > largest_moving_k ? 1 : 0.5 * sea.choppiness;
+                const double lacking = k > largest_moving_k ? 0 : 0.5 * (1 + sea.choppiness);
                 statistics.lacking_x = lacking * statistics.stokes_x;
                 statistics.lacking_z = lacking * statistics.stokes_z;
                 statistics.lacking_size = lacking * std::fabs(running) * k;

@@ -64,9 +64,9 @@ struct LineStatistics {
     double level_m = 0;
     /// Stokes drift at the surface along the axes of the cascade, m/s.
     double stokes_x = 0, stokes_z = 0;
-    /// Of it, what velocities of water at displaced points lack: all of the waves that have no velocity
-    /// (WaterLevels), and of others choppiness / 2, because displacement moves water with them. The sum of
-    /// its sizes, and of these times k, 1/s.
+    /// Of it, what water lacks that follows velocities of WaterLevels: half, because velocities follow the
+    /// surface upwards, and choppiness / 2, because they are those of displaced points; nothing of waves that
+    /// have no velocity. The sum of its sizes, and of these times k, 1/s.
     double lacking_x = 0, lacking_z = 0, lacking_size = 0, lacking_k = 0;
 
     LineStatistics& operator+=(const LineStatistics& other);
