@@ -5,7 +5,6 @@
 
 #include "pelagic/sim/buffers/surface_texels.hpp"
 #include "pelagic/sim/query/cascade_cell.hpp"
-#include "pelagic/sim/spectrum/depth_weights.hpp"
 #include "pelagic/simd/always_inline.hpp"
 #include "pelagic/simd/constants.hpp"
 #include "pelagic/simd/det_math.hpp"
