@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -161,7 +162,7 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
         const double in_plan = std::fabs(glm::cross(arms_m_[b] - arms_m_[a], arms_m_[c] - arms_m_[a]).y);
         for (const std::uint32_t vertex : {a, b, c}) weights_[vertex] += in_plan;
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-            longest_edge_m_ = std::max(longest_edge_m_, glm::length(arms_m_[to] - arms_m_[from]));
+            longest_edge_m_ = std::max(longest_edge_m_, wet_extent_m(arms_m_[from], arms_m_[to]));
         sum += 3 * in_plan;
     }
     for (double& weight : weights_) weight /= sum;
@@ -197,6 +198,15 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
                     std::sqrt(weight_n * std::fabs(afloat_.roll_gm_m) * (inertia_kgm2_.x + added_mass_[3][3]));
 }
 
+/// Returns how far the part of an edge below the waterline at rest extends along an axis.
+double Hull::wet_extent_m(const glm::dvec3& a, const glm::dvec3& b) const {
+    const glm::dvec3 extent = glm::abs(b - a);
+    const double farthest_m = std::max({extent.x, extent.y, extent.z});
+    const double below_m = -afloat_.height_m - std::min(a.y, b.y);
+    if (!afloat_.floats || below_m >= extent.y) return farthest_m;
+    return below_m > 0 ? below_m / extent.y * farthest_m : 0;
+}
+
 /// Divides triangles at the middles of edges of which a part below the waterline at rest extends far along an axis.
 /// Both triangles at an edge divide it, so the surface stays closed. Of a mesh that would have too many vertices, edges
 /// stay longer.
@@ -206,7 +216,6 @@ void Hull::divide_triangles() {
     const glm::dvec3 size = mesh_.upper_m() - mesh_.lower_m();
     double longest_m = longest_over_length * std::max(std::max(size.x, size.y), size.z);
     footprint_m_ = 2 * longest_m;
-    const double waterline_m = afloat_.floats ? -afloat_.height_m : mesh_.upper_m().y;
     const auto divided = [&](double limit_m, std::vector<glm::dvec3>& arms,
                              std::vector<HullMesh::Triangle>& triangles) {
         for (bool is_done = false; !is_done;) {
@@ -215,11 +224,7 @@ void Hull::divide_triangles() {
             std::vector<HullMesh::Triangle> next;
             // returns the middle of a long edge, or the number of vertices there can be
             const auto middle = [&](std::uint32_t a, std::uint32_t b) -> std::optional<std::uint32_t> {
-                const glm::dvec3 edge = arms[b] - arms[a];
-                const double below_m = waterline_m - std::min(arms[a].y, arms[b].y), height_m = std::fabs(edge.y);
-                const double wet = below_m >= height_m ? 1 : std::max(below_m, 0.0) / height_m;
-                const double extent_m = std::max({std::fabs(edge.x), height_m, std::fabs(edge.z)});
-                if (!(wet * extent_m > limit_m * 1.000001)) return {};
+                if (!(wet_extent_m(arms[a], arms[b]) > limit_m * 1.000001)) return {};
                 const auto [at, is_new] =
                     middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(arms.size()));
                 if (is_new) arms.push_back(0.5 * (arms[a] + arms[b]));

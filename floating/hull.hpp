@@ -252,8 +252,8 @@ class Hull {
     /// Returns the XXH3 of mesh, mass and coefficients. Hulls of equal digests move
     /// bit-identically.
     std::uint64_t digest() const;
-    /// Returns the longest edge between points that sample the water: at most a tenth of the hull's length, unless
-    /// the mesh would have more than 4,096 points.
+    /// Returns how far edges between points that sample the water extend along an axis, below the waterline at rest:
+    /// at most a tenth of the hull's length, unless the mesh would have more than 4,096 points.
     double longest_edge_m() const { return longest_edge_m_; }
     /// Returns the world position of the mesh's origin, to draw it.
     glm::dvec3 mesh_origin_m(const HullState& state) const;
@@ -332,6 +332,7 @@ class Hull {
     Speeds speeds_after(const HullState& state, const HullLoads& loads, double step_s,
                         const HullInputs& inputs) const;
     void complete_step(HullState& middle, const HullLoads& forces, double step_s, const HullInputs& inputs) const;
+    double wet_extent_m(const glm::dvec3& a, const glm::dvec3& b) const;
     void divide_triangles();
     void find_rest();
     void find_displaced_moments();
