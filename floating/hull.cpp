@@ -13,6 +13,7 @@
 
 #include "pelagic/floating/given_coefficients.hpp"
 #include "pelagic/floating/lewis_sections.hpp"
+#include "pelagic/floating/radiation_states.hpp"
 #include "pelagic/floating/wet_surface.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
@@ -183,12 +184,19 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     if (!afloat_.floats) return;
     const double weight_n = mass_kg_ * gravity_mps2;
     const double heave_n_per_m = options.water_density_kgpm3 * gravity_mps2 * afloat_.waterplane_m2;
-    const auto period_s = [](double mass, double stiffness) {
-        return stiffness > 0 ? two_pi * std::sqrt(mass / stiffness) : 0;
+    const auto period_s = [&](std::size_t mode, double mass, double stiffness) {
+        if (!(stiffness > 0)) return 0.0;
+        double added = added_mass_[mode][mode];
+        // Given added mass depends on the frequency.
+        for (int pass = 0; options.coefficients && pass < 8; ++pass) {
+            const double omega = std::sqrt(stiffness / (mass + added));
+            added = std::max(options.coefficients->radiation().added_mass(omega)[mode][mode], 0.0);
+        }
+        return two_pi * std::sqrt((mass + added) / stiffness);
     };
-    afloat_.heave_period_s = period_s(mass_kg_ + added_mass_[1][1], heave_n_per_m);
-    afloat_.roll_period_s = period_s(inertia_kgm2_.x + added_mass_[3][3], weight_n * afloat_.roll_gm_m);
-    afloat_.pitch_period_s = period_s(inertia_kgm2_.z + added_mass_[5][5], weight_n * afloat_.pitch_gm_m);
+    afloat_.heave_period_s = period_s(1, mass_kg_, heave_n_per_m);
+    afloat_.roll_period_s = period_s(3, inertia_kgm2_.x, weight_n * afloat_.roll_gm_m);
+    afloat_.pitch_period_s = period_s(5, inertia_kgm2_.z, weight_n * afloat_.pitch_gm_m);
     heave_wave_number_ = heave_n_per_m / (mass_kg_ + added_mass_[1][1]) / gravity_mps2;
     strip_damping_ = (options.heave_damping > 0
                           ? 2 * options.heave_damping * std::sqrt(heave_n_per_m * (mass_kg_ + added_mass_[1][1]))

@@ -110,6 +110,24 @@ TEST(GivenCoefficients, ADefaultHemisphereHeavesInLongWaves) {
     }
 }
 
+// Resonance where omega^2 (m + A) is the stiffness, between the rows of the panel method.
+TEST(GivenCoefficients, ThePeriodOfHeaveIsThatOfTheAddedMassThere) {
+    const Hull hull = given_hemisphere(false);
+    const double stiffness_npm = 1025 * gravity_mps2 * hull.afloat().waterplane_m2;
+    double k_before = 0, excess_before = 0, period_s = 0;
+    for (const TruthRow& row : truths_of("hemisphere")) {
+        if (row.is_limit()) continue;
+        const double k = row["wave_number_radpm"];
+        const double excess = gravity_mps2 * k * (hull.mass_kg() + row["a22"]) / stiffness_npm - 1;
+        if (excess_before < 0 && excess >= 0) {
+            const double resonance = k - (k - k_before) * excess / (excess - excess_before);
+            period_s = two_pi / std::sqrt(gravity_mps2 * resonance);
+        }
+        k_before = k, excess_before = excess;
+    }
+    EXPECT_NEAR(hull.afloat().heave_period_s / period_s, 1, 0.01);
+}
+
 TEST(GivenCoefficients, WavesFromTheSideHeaveAsFromAhead) {
     const Hull hull = given_hemisphere(true);
     // the file has headings each 90 degrees

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "pelagic/floating/wamit_files.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
+#include "pelagic/sim/dispersion.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace pelagic::tools {
@@ -45,6 +47,14 @@ std::vector<std::string> notes_on(const Hull& hull, const SeaState& sea) {
          "the grid has velocities of waves from " + text_of(shortest_m) + " m on, expected at most 0.75 of the hull's "
          "length, " + text_of(min_wave_over_length * length_m) + " m");
     const double k = 2 * std::numbers::pi / peak_m;
+    if (const ForceTable* const given = hull.diffraction()) {
+        // JONSWAP has 95 % of its variance below twice its peak's frequency.
+        const double peak_radps = angular_frequency(k, sea.depth_m), highest_radps = given->omega_radps.back();
+        note(highest_radps < 2 * peak_radps, "the highest frequency of the wave forces is " + text_of(highest_radps) +
+                                                 " rad/s, expected at least twice that of the peak, " +
+                                                 text_of(2 * peak_radps) + " rad/s");
+        return notes;
+    }
     note(peak_m < min_wave_over_length * length_m,
          "the peak wavelength over the hull's length is " + text_of(peak_m / length_m) +
              ", expected at least 0.75: shorter waves are diffracted");
