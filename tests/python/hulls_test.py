@@ -119,3 +119,13 @@ def test_bodies_may_outlive_their_ocean():
     with pytest.raises(ValueError, match="^the ocean is closed$"):
         bodies.state(1)
     del bodies
+
+
+def test_coefficients_are_read_from_texts():
+    def rows(columns):
+        return "".join(f"{period} {mode} {mode} {columns}\n" for period in (1, 2, 4, 8) for mode in range(1, 7))
+
+    hull = pelagic.Hull(BOX, BOX_TRIANGLES, 3500, radiation_text=rows("3 0.5"))
+    assert hull.digest != pelagic.Hull(BOX, BOX_TRIANGLES, 3500).digest
+    with pytest.raises(ValueError, match=r"^radiation_text: line 19: B\(1,1\) is negative, expected damping$"):
+        pelagic.Hull(BOX, BOX_TRIANGLES, 3500, radiation_text=rows("3 -0.5"))
