@@ -73,17 +73,35 @@ class FourFootprints {
         const float column = columns_.at(lane, x, z), row = rows_.at(lane, x, z);
         const float last_column = columns_.last[0], last_row = rows_.last[0];
         if (!(column > -1 && row > -1 && column < last_column + 1 && row < last_row + 1)) return {};
-        // Cells around the outermost ones are 0.
         const int i = static_cast<int>(column + 1) - 1, j = static_cast<int>(row + 1) - 1;
-        const bool has_left = i >= 0, has_right = column < last_column, has_upper = j >= 0, has_lower = row < last_row;
         const float* const cells = depth_m_[lane] + j * row_cells_ + i;
-        const float a = has_left && has_upper ? cells[0] : 0, b = has_right && has_upper ? cells[1] : 0;
-        const float c = has_left && has_lower ? cells[row_cells_] : 0,
-                    d = has_right && has_lower ? cells[row_cells_ + 1] : 0;
+        float a = 0, b = 0, c = 0, d = 0;
+        if (i >= 0 && j >= 0 && column < last_column && row < last_row) [[likely]] {
+            a = cells[0], b = cells[1], c = cells[row_cells_], d = cells[row_cells_ + 1];
+        } else {  // cells around the outermost ones are 0
+            const bool has_right = column < last_column, has_lower = row < last_row;
+            if (i >= 0 && j >= 0) a = cells[0];
+            if (has_right && j >= 0) b = cells[1];
+            if (i >= 0 && has_lower) c = cells[row_cells_];
+            if (has_right && has_lower) d = cells[row_cells_ + 1];
+        }
         const float right = column - static_cast<float>(i), bottom = row - static_cast<float>(j);
         const float ahead = (b - a) + bottom * ((d - c) - (b - a)), abeam = (c - a) + right * ((d - b) - (c - a));
         return {ahead * columns_.along[lane] + abeam * rows_.along[lane],
                 ahead * columns_.across[lane] + abeam * rows_.across[lane]};
+    }
+
+    /// Returns the first texel of a row that a lane's footprint reaches, or one before it, and the end.
+    std::array<int, 2> reached(std::size_t lane, int z, int first, int end) const {
+        float low = static_cast<float>(first), high = static_cast<float>(end);
+        for (const Axis& axis : {columns_, rows_}) {
+            const float at_0 = axis.at(lane, 0, z), step = axis.along[lane];
+            if (std::fabs(step) < 1e-3f) continue;
+            const float one = (-1 - at_0) / step, other = (axis.last[lane] + 1 - at_0) / step;
+            low = std::max(low, std::min(one, other) - 1);
+            high = std::min(high, std::max(one, other) + 2);
+        }
+        return {static_cast<int>(low), static_cast<int>(high)};
     }
 
    private:
@@ -513,17 +531,22 @@ HullForce HullWake::push(const Hollow& hollow, HollowSampler& without_hollow, co
     const auto [first_z, end_z] = reached(middle_z, reach_z, view.first_z);
     // Sums in texels from the base: of h grad d, and of its torque.
     double force_x = 0, force_z = 0, torque = 0;
-    for (int row = first_z; row < end_z; ++row)
-        for (int column = first_x; column < end_x; ++column) {
-            const auto [slope_x, slope_z] =
-                hollow.footprints.slope(1, column - hollow.base_x, row - hollow.base_z);
+    for (int row = first_z; row < end_z; ++row) {
+        const int z = row - hollow.base_z;
+        const auto [first, end] = hollow.footprints.reached(1, z, first_x - hollow.base_x, end_x - hollow.base_x);
+        double of_row = 0;
+        for (int x = first; x < end; ++x) {
+            const auto [slope_x, slope_z] = hollow.footprints.slope(1, x, z);
             if (slope_x == 0 && slope_z == 0) continue;
-            const float height = without_hollow.at(column, row)[0];
+            const float height = without_hollow.at(x + hollow.base_x, row)[0];
             const double along = static_cast<double>(height * slope_x), across = static_cast<double>(height * slope_z);
-            force_x += along;
+            of_row += along;
             force_z += across;
-            torque += (row - hollow.base_z) * along - (column - hollow.base_x) * across;
+            torque -= x * across;
         }
+        force_x += of_row;
+        torque += z * of_row;
+    }
     // Slopes are of a texel. The torque is about the centre of mass at the pressure.
     const glm::dvec3 middle = middle_of_plan_m(state);
     const double base_x_m = static_cast<double>(view.first_x + hollow.base_x) * texel_m - (middle_x - middle.x),
