@@ -202,6 +202,31 @@ TEST(HullWake, LeavesOutTheHollowBetweenTexels) {
     EXPECT_LT(largest, 0.005 * water.hull.afloat().draught_m);
 }
 
+TEST(HullWake, LeavesOutAndPushesAtOnceAsOneAfterTheOther) {
+    FlatWater water(DriftingHull::boat, 60);
+    // Launched, and pushed aside: waves and pressure act on each other.
+    while (water.time_s() < water.wake().launch_s() * 2)
+        water.advance([&](HullState& state) { state.velocity_mps.z = 0.4; });
+    const Frame& frame = water.ocean.complete();
+    const HullState state = water.state();
+    std::vector<double> x, z;
+    for (int i = 0; i < 100; ++i) {
+        x.push_back(state.position_m.x + 6 * std::fmod(i * 0.754877, 1.0) - 3);
+        z.push_back(state.position_m.z + 6 * std::fmod(i * 0.569840, 1.0) - 3);
+    }
+    std::vector<float> height(x.size()), velocity(x.size());
+    std::vector<float> heights = height, velocities = velocity;
+    water.wake().leave_out(frame, x, z, height, velocity);
+    const HullForce apart = water.wake().push(frame, state);
+    const HullForce at_once =
+        water.wake().leave_out_and_push(frame, &state, x, z, heights, velocities, {}, {});
+    EXPECT_EQ(heights, height);
+    EXPECT_EQ(velocities, velocity);
+    EXPECT_EQ(at_once.force_n, apart.force_n);
+    EXPECT_EQ(at_once.torque_nm, apart.torque_nm);
+    EXPECT_NE(apart.force_n.z, 0) << "waves push";
+}
+
 // What drives the pressure off the hull, here a current that the grid does not have, ends; then the
 // pressure returns by 1 - 1/e in return_s.
 TEST(HullWake, ThePressureReturnsToTheHull) {
