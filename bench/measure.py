@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the benchmark programs several times and stores the least time of each figure.
+"""Runs the benchmark programs several times and stores the least time of each figure, and medians of the costs of
+options, which are ratios of one run.
 
     bench/measure.py build/release/bin --runs 5          writes bench/results/programs/CPU.json
     bench/measure.py build/release/bin --keep query      query only; keeps smaller stored times
@@ -13,6 +14,7 @@ import json
 import os
 import pathlib
 import re
+import statistics
 import subprocess
 import tempfile
 
@@ -84,6 +86,17 @@ def commands(program):
             yield f"export bytes/{compression}", long[1] - short[1]
 
 
+def costs(program):
+    """Ratios to the bare frame by option, warm and at 72 Hz, and memory in MB."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder, "costs.json")
+        printed(program, "bench", "--cost", "--seconds", "12", "--isa", "avx2", "--json", file)
+        for row in json.loads(file.read_text())["rows"]:
+            yield f"warm/{row['option']}", row["warm_ratio"]
+            yield f"rhythm/{row['option']}", row["rhythm_ratio"]
+            yield f"memory_mb/{row['option']}", row["memory_bytes"] / 1e6
+
+
 QUERIES = (r"^(height|height\+normal|height\+normal\+velocity|cubic/height\+normal)/.*/(256|4x128)/random$"
            r"|^(ray|frame.*)/(avx2|avx512)/(256|4x128)$")
 ANALYTIC = r"^((rest|world)/height\+normal/avx2/16|pond/height\+normal/avx2/24)$"
@@ -99,6 +112,7 @@ PROGRAMS = {
     "shore": ("pelagic_shore_bench", table(r" *(\d+)(?= )", SHORE)),
     "dynamic waves": ("pelagic_dynamic_waves_bench", table(r" *(\d+) +(\d)(?= )", ["frame", "spectral", "verlet"])),
     "command": ("pelagic", commands),
+    "cost": ("pelagic", costs),
 }
 
 
@@ -125,13 +139,18 @@ def main():
     machine, sizes = machine_and_sizes(options.folder)
     file = RESULTS / (re.sub("[^a-z0-9]+", "-", machine["cpu"].lower()).strip("-") + ".json")
     figures = json.loads(file.read_text())["figures"] if options.keep and file.exists() else {}
+    ratios = {}
     for _ in range(options.runs):
         for subject in options.subjects:
             program, run = PROGRAMS[subject]
             for name, value in run(options.folder / program):
                 name = f"{subject}/{name.removeprefix(subject + '/')}"
                 value = float(f"{value:.4g}")
-                figures[name] = min(figures.get(name, value), value)
+                if subject == "cost":
+                    ratios.setdefault(name, []).append(value)
+                    figures[name] = float(f"{statistics.median(ratios[name]):.4g}")
+                else:
+                    figures[name] = min(figures.get(name, value), value)
         file.write_text(json.dumps(machine | {"figures": dict(sorted((figures | sizes).items()))}, indent=1) + "\n")
 
 

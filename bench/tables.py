@@ -17,11 +17,13 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 MACHINE = "amd-epyc-family-26-model-2.json"
 COMPARED_MACHINE = "amd-epyc-family-26-model-2.json"
+COSTED_MACHINE = "amd-epyc-family-25-model-17.json"
 GENERATIONS = {"family 25, model 17": "Zen 4", "family 26, model 2": "Zen 5"}
 ISAS = {"avx2": "AVX2", "avx512": "AVX-512", "sse4.2": "SSE4.2", "neon": "NEON"}
 SEAS = {"3x128": "3 x 128", "4x128": "4 x 128", "1x256": "1 x 256", "1x512": "1 x 512"}
 
 measured = json.loads((ROOT / "bench/results/programs" / MACHINE).read_text())
+costed = json.loads((ROOT / "bench/results/programs" / COSTED_MACHINE).read_text())
 compared = json.loads((ROOT / "bench/results" / COMPARED_MACHINE).read_text())
 budgets = json.loads((ROOT / "bench/budgets.json").read_text())["budgets"]
 figures = measured["figures"]
@@ -134,12 +136,15 @@ def queries():
          ["ray from 20 m, µs", *(number(figures[ray], 2) if ray in figures else "-" for ray in rays)]])
 
 
-def query_frames():
-    def row(name, sea):
-        none, *others = (figures[f"query/{key}/avx2/{sea}"] for key in ("frame", "frame+queries", "frame+queries+velocities"))
-        return [name, *(f"{time / none:.2f}" for time in others)]
-    return f"{machine(measured)}; one thread, AVX2, frame time / frame time without either:", table(
-        ["", "`queries`", "`queries`, `velocities`"], [row("4 x 128", "4x128"), row("1 x 256", "256")])
+def option_cost():
+    options = {"queries": "queries", "velocities drawn": "velocities drawn", "water": "velocities water",
+               "depth": "depth", "foam": "foam", "dynamic waves": "dynamic waves 256", "hull": "hull",
+               "1,000 heights": "1,000 heights", "all for a boat": "boat"}
+    rows = {"frames one after another": "warm", "a frame each 13.9 ms": "rhythm", "memory, MB": "memory_mb"}
+    return f"{machine(costed)}; one thread, AVX2, default sea, processor time / that of a frame without options:", table(
+        ["", *options],
+        [[name, *(number(costed["figures"][f"cost/{key}/{option}"]) for option in options.values())]
+         for name, key in rows.items()])
 
 
 def analytic():
@@ -220,7 +225,7 @@ def commands():
         list(names), [[number(figures[f"command/{key}"] / 1e3, 2) for key in names.values()]])
 
 
-TABLES = [frames, threads, instructions, default_sea, memory, upload, queries, query_frames, analytic, quadtree, foam,
+TABLES = [frames, threads, instructions, default_sea, memory, upload, option_cost, queries, analytic, quadtree, foam,
           dynamic_waves, server, shore, inputs, export, commands]
 
 # Figures in prose: page, expression with one group, text that the group must have.
