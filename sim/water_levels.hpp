@@ -71,7 +71,7 @@ struct WaterLevels {
     double longest_wave_m = 0;  ///< of the cascade
     double water_m = 0;         ///< depth of the water
     /// Mean drift in the world's axes that velocities of the grids lack, at the surface. At the depth s, drift /
-    /// (1 + drift_k s)^2 is added: as Stokes' drift e^(-2 k s) of waves of many lengths.
+    /// (1 + drift_k s / 2)^4 is added: near e^(-2 k s), the decrease of Stokes' drift, for waves of many lengths.
     double drift_x_mps = 0, drift_z_mps = 0, drift_k = 0;
     /// Level g of the velocity is that of grid g. Level 0 of the head is the surface, and level g + 1 is that
     /// of grid g.

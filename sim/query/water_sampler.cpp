@@ -140,8 +140,8 @@ WaterMotion motion_with(const Cascade& cascade, double depth_m, const ReferenceC
         motion.head.along += of_head * (taps.scale * taps.along()[3]);
         motion.head.across += of_head * (taps.scale * taps.across()[3]);
     }
-    const double stretched = 1 + water.drift_k * depth_m;
-    const float remaining = static_cast<float>(1 / (stretched * stretched));
+    const double stretched = 1 + 0.5 * water.drift_k * depth_m, square = stretched * stretched;
+    const float remaining = static_cast<float>(1 / (square * square));
     motion.velocity_mps = {sum[0] + remaining * static_cast<float>(water.drift_x_mps), sum[1],
                            sum[2] + remaining * static_cast<float>(water.drift_z_mps)};
     motion.head.value += sum[3];

@@ -139,6 +139,8 @@ def test_water_of_a_frame():
         assert np.linalg.norm(water["acceleration"], axis=1)[-1] < 0.01 < np.linalg.norm(water["acceleration"], axis=1)[0]
         lighter = frame.sample_water(points, water_density_kgpm3=1000, interpolation="cubic", footprint_m=1e4)
         assert np.isclose(lighter["pressure"][-1], water["pressure"][-1] / 1.025)
+        longer = frame.query(X, Z, fields=["height", "jacobian", "velocity"], footprint_m=20)
+        assert (longer["jacobian"] == 1).all() and longer["velocity"].shape == (8, 3) and not np.allclose(longer["height"], height, atol=1e-3)
         many = frame.sample_water(np.tile(points, (100, 1, 1)))
         assert all((many[name] == water[name]).all() for name in water)
         assert frame.sample_water(np.zeros((2, 0, 3)))["velocity"].shape == (2, 0, 3) and frame.sample_water([0, -1, 0])["depth"].shape == ()
@@ -150,6 +152,8 @@ def test_water_of_a_frame():
                     (ValueError, "y[0] is -4001, expected at least -4000, the sea floor", lambda: frame.sample_water([[0, -4001, 0]])),
                     (ValueError, "points.shape is (2,), expected (..., 3): x, y and z of each point", lambda: frame.sample_water([0, 0])),
                     (ValueError, "points.footprint_m is -1, expected 0 or more", lambda: frame.sample_water(points, footprint_m=-1)),
+                    (ValueError, "footprint_m is -1, expected 0 or more", lambda: frame.query(X, Z, footprint_m=-1)),
+                    (ValueError, "footprint_m needs water below the surface: create the ocean with depth=True", lambda: without.query(X, Z, footprint_m=1)),
                     (ValueError, "interpolation is sinc, expected linear or cubic", lambda: frame.sample_water(points, interpolation="sinc")),
                     (ValueError, "water_density_kgpm3 0 is out of range [500, 2000]", lambda: frame.sample_water(points, water_density_kgpm3=0))):
                 with pytest.raises(error) as refused:

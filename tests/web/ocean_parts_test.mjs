@@ -59,6 +59,8 @@ test('water of a frame lies below its surface, on any number of threads', async 
     found.push([...water.pressurePa, ...water.velocityMps, ...water.accelerationMps2]);
     assert.throws(() => frame.sampleWater([0, -4001, 0]), { message: 'y[0] is -4001, expected at least -4000, the sea floor' });
     assert.throws(() => frame.sampleWater(points, { footprintM: -1 }), { message: 'footprintM is -1, expected 0 or more' });
+    assert.ok(frame.query([3, 4], { footprintM: 20 }).heightM[0] !== frame.query([3, 4]).heightM[0]);
+    assert.throws(() => frame.query([3, 4], { footprintM: -1 }), { message: 'footprintM is -1, expected 0 or more' });
     assert.throws(() => frame.sampleWater(points, { interpolation: 'sinc' }), { message: 'interpolation is "sinc", expected linear or cubic' });
     ocean.dispose();
   }
