@@ -42,9 +42,10 @@ double stokes_mps(const SeaState& sea, double draught_m) {
 class FloatDrift : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Night, FloatDrift, testing::Values(64, 128, 512));
 
-// 15 %: Stokes' drift is of the second order, and the water of the first. The mean of ten floats over 40 s is known
-// within 4 %.
-TEST_P(FloatDrift, IsStokesAtAnyResolution) {
+// Water that follows velocities has Stokes' drift (water_query_test.cpp). A float is also pushed by waves that it does
+// not follow, such as those of the period of its heave, 0.8 s: it drifts up to 30 % faster. The mean of ten floats over
+// 40 s is known within 4 %.
+TEST_P(FloatDrift, IsNearStokesAtAnyResolution) {
     SeaState sea{.wind_speed_mps = 12};
     sea.resolution = GetParam();
     constexpr double side_m = 0.2, tick_s = 1.0 / 30, warm_up_s = 10, measured_s = 40;
@@ -68,7 +69,8 @@ TEST_P(FloatDrift, IsStokesAtAnyResolution) {
         bodies.step(ocean.frame_at(tick * tick_s), tick_s);
     }
     const double drift_mps = (sum_x() - begin_m) / floats / measured_s, expected_mps = stokes_mps(sea, side_m / 2);
-    EXPECT_NEAR(drift_mps / expected_mps, 1, 0.15) << drift_mps << " " << expected_mps;
+    EXPECT_GT(drift_mps / expected_mps, 0.85) << drift_mps << " " << expected_mps;
+    EXPECT_LT(drift_mps / expected_mps, 1.35) << drift_mps << " " << expected_mps;
 }
 
 }  // namespace
