@@ -24,17 +24,17 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double amplitude_m = 0.02, period_s = 4, time_s = 0.3;
+constexpr double swell_m = 0.02, swell_s = 4, moment_s = 0.3;
 
 /// A low wave of `texels` texels on a grid of 128, without displacement.
 SeaState wave_of(double texels, double depth_m) {
-    SeaState sea{.waves = WaveModel::regular, .regular_height_m = 2 * amplitude_m, .regular_period_s = period_s};
+    SeaState sea{.waves = WaveModel::regular, .regular_height_m = 2 * swell_m, .regular_period_s = swell_s};
     sea.resolution = 128;
     sea.depth_m = depth_m;
     sea.wind_direction_rad = 0.4;
     sea.choppiness = 0;
-    sea.loop_period_s = 20 * period_s;
-    sea.patch_size_m = 128 / texels * 2 * pi / oracle::wave_number_at(2 * pi / period_s, depth_m);
+    sea.loop_period_s = 20 * swell_s;
+    sea.patch_size_m = 128 / texels * 2 * pi / oracle::wave_number_at(2 * pi / swell_s, depth_m);
     return sea;
 }
 
@@ -71,8 +71,8 @@ struct Remaining {
 Remaining remaining(double texels, double depth_m, double footprint_over_wave) {
     const SeaState sea = wave_of(texels, depth_m);
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .depth = true});
-    const Frame& frame = ocean.frame_at(time_s);
-    const double omega = 2 * pi / period_s, k = oracle::wave_number_at(omega, depth_m), tanh_kd = std::tanh(k * depth_m);
+    const Frame& frame = ocean.frame_at(moment_s);
+    const double omega = 2 * pi / swell_s, k = oracle::wave_number_at(omega, depth_m), tanh_kd = std::tanh(k * depth_m);
     const double footprint_m = footprint_over_wave * 2 * pi / k, below_m = 0.2 * pi / k;
     const Places places(1000, -below_m);
     Surface surface(places.x.size());
@@ -84,7 +84,7 @@ Remaining remaining(double texels, double depth_m, double footprint_over_wave) {
     const double cosine = std::cos(sea.wind_direction_rad), sine = std::sin(sea.wind_direction_rad);
     double height = 0, slope = 0, along = 0, up = 0, head = 0, of_cosine = 0, of_sine = 0;
     for (std::size_t i = 0; i < places.x.size(); ++i) {
-        const double phase = k * (places.x[i] * cosine + places.z[i] * sine) - omega * time_s;
+        const double phase = k * (places.x[i] * cosine + places.z[i] * sine) - omega * moment_s;
         const double c = std::cos(phase), s = std::sin(phase), ny = static_cast<double>(surface.ny[i]);
         height += c * static_cast<double>(surface.height[i]);
         slope += s * (static_cast<double>(surface.nx[i]) * cosine + static_cast<double>(surface.nz[i]) * sine) / ny;
@@ -94,9 +94,9 @@ Remaining remaining(double texels, double depth_m, double footprint_over_wave) {
         of_cosine += c * c, of_sine += s * s;
     }
     const double at_depth = std::cosh(k * (depth_m - below_m)) / std::cosh(k * depth_m);
-    return {height / of_cosine / amplitude_m, slope / of_sine / (k * amplitude_m),
-            along / of_cosine / (omega * amplitude_m / tanh_kd), up / of_sine / (omega * amplitude_m),
-            head / of_cosine / (amplitude_m * (depth_m < 1000 ? at_depth : std::exp(-k * below_m)))};
+    return {height / of_cosine / swell_m, slope / of_sine / (k * swell_m),
+            along / of_cosine / (omega * swell_m / tanh_kd), up / of_sine / (omega * swell_m),
+            head / of_cosine / (swell_m * (depth_m < 1000 ? at_depth : std::exp(-k * below_m)))};
 }
 
 // Bounds are those of WaterPoints::footprint_m. Regular waves have at least 8 texels.
@@ -141,7 +141,7 @@ TEST(FilteredQuery, IsBetweenTheExactSumsOfTwiceAndHalfTheFootprint) {
             SCOPED_TRACE(testing::Message() << cascades << " cascades, " << footprint_m << " m");
             const SeaState sea = windy_sea(cascades);
             Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .depth = true});
-            const ExactWater exact = ExactWater(sea).at(time_s);
+            const ExactWater exact = ExactWater(sea).at(moment_s);
             const Places places(1500);
             const auto sum_of = [&](double shortest_m) {
                 Surface surface(places.x.size());
@@ -151,7 +151,7 @@ TEST(FilteredQuery, IsBetweenTheExactSumsOfTwiceAndHalfTheFootprint) {
             const Surface all = sum_of(0), longer = sum_of(2 * footprint_m), shorter = sum_of(footprint_m / 2),
                           none(places.x.size());
             Surface frame(places.x.size());
-            SurfaceQuery(ocean.frame_at(time_s), {.interpolation = Interpolation::cubic})
+            SurfaceQuery(ocean.frame_at(moment_s), {.interpolation = Interpolation::cubic})
                 .sample({places.x, places.z, footprint_m}, frame.samples());
             const auto expect_between = [&](std::vector<float> Surface::*of) {
                 const double most = mean_square(longer.*of, shorter.*of) + 0.01 * mean_square(longer.*of, none.*of) +
@@ -211,8 +211,8 @@ TEST(FilteredQuery, TheExactSumLeavesOutExactlyTheShorterWaves) {
 // Velocities and pressures of the exact sum have the waves of its heights.
 TEST(FilteredQuery, TheExactSumHasAWaveOrNot) {
     const SeaState sea = wave_of(32, 20);
-    const double wave_m = 2 * pi / oracle::wave_number_at(2 * pi / period_s, sea.depth_m);
-    const ExactWater water = ExactWater(sea).at(time_s);
+    const double wave_m = 2 * pi / oracle::wave_number_at(2 * pi / swell_s, sea.depth_m);
+    const ExactWater water = ExactWater(sea).at(moment_s);
     const Places places(100, -1);
     std::vector<float> pressure(100), vx(100), all_pressure(100), all_vx(100);
     water.sample({places.x, places.y, places.z}, {.pressure_pa = all_pressure, .velocity_x_mps = all_vx});
@@ -228,7 +228,7 @@ TEST(FilteredQuery, TheExactSumHasAWaveOrNot) {
 
 TEST(FilteredQuery, ASmallFootprintHasNoEffect) {
     Ocean ocean(windy_sea(4), {.executor = make_serial_executor(), .queries = true, .depth = true});
-    const Frame& frame = ocean.frame_at(time_s);
+    const Frame& frame = ocean.frame_at(moment_s);
     const Places places(500);
     Surface all(places.x.size()), some(places.x.size());
     SurfaceQuery(frame).sample({places.x, places.z}, all.samples());
@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(Isas, FilteredQueryOnEachIsa, testing::ValuesIn(isas_he
 TEST_P(FilteredQueryOnEachIsa, HasTheBitsOfTheFirstAndOfAnyThreads) {
     const auto sample = [](Isa isa, const std::shared_ptr<Executor>& executor) {
         Ocean ocean(windy_sea(4), {.executor = executor, .isa = isa, .queries = true, .depth = true});
-        const Frame& frame = ocean.frame_at(time_s);
+        const Frame& frame = ocean.frame_at(moment_s);
         const Places places(3000, -2);
         std::vector<std::vector<float>> all(15, std::vector<float>(places.x.size()));
         SurfaceQueryJobs(executor).sample(SurfaceQuery(frame), {places.x, places.z, 12},
