@@ -54,9 +54,11 @@ void Hull::check_mass() const {
 
 void Hull::check_waves(const HullInputs& inputs) const {
     if (diffraction_ && !inputs.diffraction)
-        throw std::invalid_argument("the inputs have no diffraction, expected that of a sea: the hull's coefficients have wave forces");
+        throw std::invalid_argument(
+            "the inputs have no diffraction, expected that of a sea: the hull's coefficients have wave forces");
     if (!diffraction_ && inputs.diffraction)
-        throw std::invalid_argument("the inputs have diffraction, expected null: the hull's coefficients have no wave forces");
+        throw std::invalid_argument(
+            "the inputs have diffraction, expected null: the hull's coefficients have no wave forces");
 }
 
 /// Subtracts from the given forces those of the pressure of undisturbed waves (Froude and Krylov's) on the hull at
