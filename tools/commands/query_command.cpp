@@ -405,7 +405,6 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
     const EventOptions events = *events_.resolve(sea.sea.depth_m, launch.place());
     require_reachable(events, times_s.back());
     require_reachable(times_s.front(), times_s.back());
-    for (const std::string& note : notes_on(*launch.hull, sea.sea)) print_note(note);
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(forecast_of(sea),
@@ -426,6 +425,8 @@ void QueryCommand::run_hull(const ResolvedSea& sea, const std::vector<double>& t
         rows.clear();
     }
     if (json_) write_output("]\n");
+    // after an error there is only its line
+    for (const std::string& note : notes_on(*launch.hull, sea.sea)) print_note(note);
 }
 
 void QueryCommand::require_points(const std::optional<RecordOptions>& record) const {
