@@ -68,7 +68,7 @@ struct SurfaceQueryOptions {
 /// converged, and its other results are the quiet NaN 0x7fc00000.
 struct SurfacePoints {
     std::span<const double> x, z;  ///< equally long
-    /// Leaves out waves shorter than about this length, as WaterPoints::footprint_m; at least 0. Above 0 the frame needs
+    /// Leaves out waves shorter than about this length, as WaterPoints::footprint_m; at least 0. Above 0 it needs
     /// OceanOptions::depth, except for a pond. Velocities are then the water's own, and the Jacobian is 1: slopes are
     /// those of the remaining heights, at the reference point of the drawn surface.
     double footprint_m = 0;

@@ -23,7 +23,7 @@ struct WaterPoints {
     /// Leaves out waves shorter than about this length, metres; at least 0. ExactWater leaves out exactly these. In a
     /// frame, where the cascade of these waves has texels of at most an eighth of the footprint, pressure keeps 90 % or
     /// more of waves of twice the footprint, and 14 % or less of waves of half of it; velocities do with texels of a
-    /// sixteenth. Water shallower than half of the footprint counts as a footprint of two depths. Waves of a pond remain,
+    /// sixteenth. Water shallower than half of the footprint counts as one of two depths. Waves of a pond remain,
     /// and those of dynamic waves and a shore.
     double footprint_m = 0;
     /// Of a frame, leaves out only cascades that hold no wave as long as the footprint, which takes no time.

@@ -47,7 +47,7 @@ struct DepthLadder {
     std::array<std::array<DepthWeights, steps + 1>, max_levels - 1> weights{};
 
     /// What leaves out waves shorter than a footprint: a level's weight is the sum over the wave numbers of these
-    /// numbers times the fraction that remains of each. `along`: pressure, horizontal velocity; `up`: vertical velocity.
+    /// numbers times the fraction that remains of each. `along`: pressure, horizontal velocity; `up`: vertical one.
     struct Filter {
         static constexpr std::size_t waves = 32;
         using OfLevels = std::array<std::array<float, waves>, max_levels>;

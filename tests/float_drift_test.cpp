@@ -53,7 +53,8 @@ TEST_P(FloatDrift, IsNearStokesAtAnyResolution) {
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .depth = true});
     FloatingBodies bodies(make_serial_executor());
     const Hull hull(box_mesh({side_m, side_m, side_m}, 2),
-                    {.mass_kg = 1025 * side_m * side_m * side_m / 2, .centre_of_mass_m = glm::dvec3(0, -side_m / 4, 0)});
+                    {.mass_kg = 1025 * side_m * side_m * side_m / 2,
+                     .centre_of_mass_m = glm::dvec3(0, -side_m / 4, 0)});
     std::vector<std::uint32_t> numbers;
     const Frame& first = ocean.frame_at(0);
     for (int i = 0; i < floats; ++i)

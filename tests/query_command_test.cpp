@@ -424,8 +424,8 @@ TEST(QueryCommand, NamesFileLineAndTextOfInvalidInput) {
 }
 
 TEST(QueryCommand, AFootprintLeavesOutShortWaves) {
-    const std::vector<std::string> sea = {"--resolution", "64", "--cascades", "1", "--patch-size", "200", "--choppiness",
-                                          "0"};
+    const std::vector<std::string> sea = {"--resolution", "64",  "--cascades",   "1",
+                                          "--patch-size", "200", "--choppiness", "0"};
     const auto first_height = [&](std::vector<std::string> more) {
         more.insert(more.end(), sea.begin(), sea.end());
         const Outcome outcome = query("3,4\n", more);

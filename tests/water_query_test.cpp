@@ -147,8 +147,9 @@ std::string percents_at(double texels, double depth_over_wave) {
             worst = std::max(worst, std::fabs(static_cast<double>((frame.*of)[i]) - static_cast<double>((sum.*of)[i])));
         return std::round(1000 * worst / unit) / 10;
     };
-    const double velocity = std::max({percent(&Motion::vx, omega * amplitude_m), percent(&Motion::vy, omega * amplitude_m),
-                                      percent(&Motion::vz, omega * amplitude_m)});
+    const double orbit = omega * amplitude_m;
+    const double velocity =
+        std::max({percent(&Motion::vx, orbit), percent(&Motion::vy, orbit), percent(&Motion::vz, orbit)});
     char text[64];
     std::snprintf(text, sizeof text, "%.1f / %.1f", percent(&Motion::pressure, 1025 * gravity_mps2 * amplitude_m),
                   velocity);
@@ -184,7 +185,8 @@ TEST(WaterQuery, WaterThatFollowsVelocitiesDriftsAsStokes) {
         for (int step = 0; step < periods * steps; ++step) {
             const std::vector<double> before = x;
             for (const double part : {0.5, 1.0}) {  // by the midpoint
-                SurfaceQuery(ocean.frame_at((step + (part == 1 ? 0.5 : 0)) * step_s), {.interpolation = Interpolation::cubic})
+                const Frame& frame = ocean.frame_at((step + (part == 1 ? 0.5 : 0)) * step_s);
+                SurfaceQuery(frame, {.interpolation = Interpolation::cubic})
                     .sample({x, z}, {.velocity_x_mps = speed});
                 for (std::size_t i = 0; i < x.size(); ++i)
                     x[i] = before[i] + part * step_s * static_cast<double>(speed[i]);
