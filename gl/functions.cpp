@@ -45,8 +45,8 @@ Functions load_functions(GetProcAddress get) {
     gl.maps_buffers = gl.MapBufferRange && gl.UnmapBuffer;
     gl.can_disable_primitive_restart = !is_webgl;
     // ES 3.2 needs no extension for this feature, but its drivers list the extension nevertheless.
-    gl.renders_to_half_floats =
-        has_extension(gl, "GL_EXT_color_buffer_half_float") || has_extension(gl, "GL_EXT_color_buffer_float");
+    gl.renders_to_floats = has_extension(gl, "GL_EXT_color_buffer_float");
+    gl.renders_to_half_floats = gl.renders_to_floats || has_extension(gl, "GL_EXT_color_buffer_half_float");
     return gl;
 }
 

@@ -52,6 +52,7 @@ struct Functions {
     PFNGLFRAMEBUFFERTEXTUREMULTIVIEWOVRPROC FramebufferTextureMultiviewOVR = nullptr;
 
     bool renders_to_half_floats = false;  ///< required to generate the displacement's mips
+    bool renders_to_floats = false;       ///< required by PixelKind::data
     /// True if buffers can be mapped and fences can be waited for. False in WebGL, which
     /// synchronises buffer transfers itself.
     bool maps_buffers = true;

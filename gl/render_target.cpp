@@ -23,7 +23,11 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
     : gl_(gl), width_(width), height_(height) {
     if (kind == PixelKind::radiance && !gl.renders_to_half_floats)
         throw GlError("the driver can't draw radiance: it has no EXT_color_buffer_half_float");
-    const GLenum format = kind == PixelKind::radiance ? GL_RGBA16F : GL_RGBA8;
+    if (kind == PixelKind::data && !gl.renders_to_floats)
+        throw GlError("the driver can't draw surface data: it has no EXT_color_buffer_float");
+    const GLenum format = kind == PixelKind::data       ? GL_RGBA32F
+                          : kind == PixelKind::radiance ? GL_RGBA16F
+                                                        : GL_RGBA8;
     GLint max_side = 0, max_samples = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &max_side);
     gl.GetIntegerv(GL_MAX_SAMPLES, &max_samples);

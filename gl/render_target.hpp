@@ -9,8 +9,9 @@
 
 namespace pelagic::gl {
 
-/// Content of a pixel: a display colour in bytes (RGBA8), or radiance in half floats (RGBA16F).
-enum class PixelKind { screen, radiance };
+/// Content of a pixel: a display colour in bytes (RGBA8), radiance in half floats (RGBA16F), or values
+/// of DrawMode::surface_data in floats (RGBA32F).
+enum class PixelKind { screen, radiance, data };
 
 /// An image in the lower left corner of a texture. Sizes are in texels.
 struct TexturePart {
@@ -23,7 +24,7 @@ class RenderTarget {
    public:
     /// \param samples  samples per pixel, limited to the driver's maximum
     /// \throws GlError if the size exceeds the driver's limit, the driver cannot render to half
-    /// floats, or the driver is out of memory
+    /// floats (radiance) or floats (data), or the driver is out of memory
     RenderTarget(const Functions& gl, int width, int height, int samples, PixelKind kind = PixelKind::screen);
 
     /// Binds the framebuffer and sets the viewport to the whole target.
@@ -42,7 +43,7 @@ class RenderTarget {
     /// Reads all pixels, RGBA8, top row first. Waits for the GPU. \pre the PixelKind is screen
     std::vector<std::uint8_t> read();
     /// Reads all pixels, linear RGBA, top row first. Waits for the GPU. \pre the PixelKind is
-    /// radiance
+    /// radiance or data
     std::vector<float> read_radiance();
 
     /// Returns the width in pixels.

@@ -74,6 +74,11 @@ TEST(Shaders, CompileInEveryVariant) {
                                 .dynamic_waves = true});
     for (const Shading shading : {Shading::headset, Shading::high})
         variants.push_back({.cascades = 4, .shading = shading, .below = true, .dynamic_waves = true, .shore = true});
+    for (const Surface surface : {Surface::open, Surface::pond})
+        variants.push_back({.cascades = surface == Surface::open ? 4u : 1u,
+                            .surface = surface,
+                            .below = surface == Surface::open,
+                            .surface_data = true});
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""},
                                          {"mesh.vert.glsl", "rock.frag.glsl", ""},
                                          {"mesh.vert.glsl", "boat.frag.glsl", ""}};
@@ -89,7 +94,7 @@ TEST(Shaders, CompileInEveryVariant) {
         all.push_back({"screen.vert.glsl", pass, ""});
     for (const auto& [multiview, soft] : {std::pair(false, false), {false, true}, {true, false}})
         all.push_back(gl::spray_program_files(multiview, soft));
-    ASSERT_EQ(all.size(), 266u);
+    ASSERT_EQ(all.size(), 276u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(invalid_value_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }

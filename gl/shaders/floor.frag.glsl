@@ -24,6 +24,11 @@ const float pi = 3.14159265;
 void main() {
     vec3 from_eye = leading_ahead(place.xyz - eye[EYE].xyz);
     float distance_m = length(from_eye);
+#ifdef SURFACE_DATA
+    vec3 facet = cross(dFdx(place.xyz), dFdy(place.xyz));
+    colour = vec4(distance_m, facet.xz / (facet.y == 0.0 ? 1e-9 : facet.y), -1.0);
+    return;
+#endif
     float above = lens_above_water(from_eye);
     vec3 radiance = floor_light(place.xyz, pixel_on_floor(distance_m));
     radiance = above < 0.0 ? through_water(radiance, eye[EYE].xyz, from_eye / distance_m, distance_m)

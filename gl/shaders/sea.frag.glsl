@@ -9,6 +9,8 @@
 //            structure
 //   haze     blends towards the colour of the sky at the horizon
 //
+// SURFACE_DATA writes values of the surface in place of light (DrawMode::surface_data).
+//
 // BELOW is set if a floor is visible or the lens is near the surface. The surface is then
 // transparent, and pixels whose lens is under water show the surface from below.
 #ifdef MULTIVIEW
@@ -127,6 +129,14 @@ void main() {
     // From below the relief of foam is hidden, so the foam is not offset.
     float above_lens = lens_above_water(from_eye);
     Foam foam = foam_at(resting, distance_m, surface, above_lens < 0.0 ? vec3(0.0, 1.0, 0.0) : to_eye);
+#else
+    Foam foam = foam_at(resting, distance_m, surface, to_eye);
+#endif
+#ifdef SURFACE_DATA
+    colour = vec4(distance_m, surface.slopes, foam.cover);
+    return;
+#endif
+#if BELOW
     if (above_lens < 0.0) {
         vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m, surface.alpha2, foam, distance_m);
         colour = screen_colour(across_meniscus(below, above_lens));
@@ -134,7 +144,6 @@ void main() {
     }
     vec3 water_light = light_from_below(at, normal, to_eye, distance_m, surface.alpha2);
 #else
-    Foam foam = foam_at(resting, distance_m, surface, to_eye);
     vec3 water_light = upwelling(normal, to_eye);
 #endif
 

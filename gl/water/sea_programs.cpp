@@ -21,6 +21,7 @@ std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     if (variant.mirrors_scene) defines += "#define MIRRORS_SCENE\n";
     if (variant.shore) defines += "#define SHORE\n";
     if (variant.multiview) defines += "#define MULTIVIEW\n";
+    if (variant.surface_data) defines += "#define SURFACE_DATA\n";
     // Dynamic waves do not reach beyond the patches.
     const std::string of_patches = defines + (variant.dynamic_waves ? "#define DYNAMIC_WAVES\n" : "");
     return {{{"sea.vert.glsl", "sea.frag.glsl", of_patches},

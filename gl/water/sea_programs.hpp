@@ -54,6 +54,7 @@ struct SeaVariant {
     bool dynamic_waves = false;  ///< the frame has a dynamic-wave grid
     /// An open sea has a shore: cascades are attenuated there, and shore waves are added.
     bool shore = false;
+    bool surface_data = false;  ///< DrawMode::surface_data
 
     auto operator<=>(const SeaVariant&) const = default;
 };

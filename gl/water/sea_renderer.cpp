@@ -215,7 +215,7 @@ struct SeaRenderer::State {
         add(buffers->draw_patches(has_exclusions ? split.apart() : input.list->batches, false));
         programs->skirt.use(gl, eye);
         add(buffers->draw_skirt(input.list->skirt));
-        if (!input.draws_sky && !lens_is_wet) return;
+        if (input.mode == DrawMode::surface_data || (!input.draws_sky && !lens_is_wet)) return;
         // The triangle lies on the far plane, so only pixels without sea or floor are drawn.
         programs->background.use(gl, eye);
         gl.DepthMask(GL_FALSE);
@@ -256,7 +256,7 @@ struct SeaRenderer::State {
 
     /// Splits the draw list if exclusions are drawn.
     void split_patches(const DrawInput& input) {
-        has_exclusions = !input.exclusions.empty() && input.mode == DrawMode::shaded;
+        has_exclusions = !input.exclusions.empty() && input.mode != DrawMode::wireframe;
         if (has_exclusions) split.assign(*input.list, input.exclusions, exclusion_maps, bounds);
     }
 
@@ -434,11 +434,13 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     place_exclusions(block, input, s.exclusion_maps);
     const std::array<glm::vec4, 2> lenses = s.lenses_of(input, block.lens);
     block.lens = lenses[0];
-    const bool mirrors_scene = input.application_scene && input.eyes.size() == 1 && !s.options.multiview &&
-                               s.options.shading != Shading::headset;
+    const bool writes_data = input.mode == DrawMode::surface_data;
+    const bool mirrors_scene = !writes_data && input.application_scene && input.eyes.size() == 1 &&
+                               !s.options.multiview && s.options.shading != Shading::headset;
     SeaVariant variant = s.variant();
     variant.below = lenses[0].w > 0 || lenses[1].w > 0 || block.floor_albedo.w > 0 || !s.floor_facts.is_even();
     variant.mirrors_scene = mirrors_scene;
+    variant.surface_data = writes_data;
     variant.dynamic_waves = s.facts.dynamic_waves.resolution > 0;
     variant.shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open;
     s.programs = &s.programs_for(variant);
@@ -458,7 +460,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     const glm::dvec3 viewer_m = input.viewer();
     const bool is_under_water = input.camera_water_plane && viewer_m.y < input.camera_water_plane->height_m &&
                                 !s.is_inside(input, input.eyes[0]);
-    const bool draws_spray = !input.spray.droplets.empty() && !is_under_water;
+    const bool draws_spray = !input.spray.droplets.empty() && !is_under_water && !writes_data;
     if (draws_spray && !s.spray) s.spray.emplace(gl, s.options.multiview);
     if (draws_spray) s.spray->upload(input.spray.droplets, viewer_m);
     const std::size_t passes = s.options.multiview ? 1 : input.eyes.size();

@@ -65,7 +65,15 @@ struct RendererOptions {
 
 inline constexpr float max_crest_glow = 10;
 
-enum class DrawMode { shaded, wireframe };
+enum class DrawMode {
+    shaded,
+    wireframe,
+    /// Values of the nearest surface in place of light, for a PixelKind::data without multisampling:
+    /// its distance from the eye in metres; x / y and z / y of the unit normal of the water's waves or
+    /// of the floor's facet; the fraction covered by foam, or -1 on the floor. Neither sky nor spray is
+    /// drawn.
+    surface_data
+};
 
 /// Spray that is drawn over sea and sky. Droplets are hidden by the framebuffer's depths and write
 /// none, so other transparent objects may be drawn before or after them. Nothing is drawn for a lens
