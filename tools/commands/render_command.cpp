@@ -25,6 +25,8 @@
 #include "pelagic/gl/water/sea_pass.hpp"
 #include "pelagic/message/one_line.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query_jobs.hpp"
+#include "pelagic/tools/aov/aov.hpp"
 #include "pelagic/tools/commands/command.hpp"
 #include "pelagic/tools/encode/film.hpp"
 #include "pelagic/tools/encode/image_codec.hpp"
@@ -87,6 +89,7 @@ class OfflineRenderer {
           ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
                                                   .isa = options.scene.compute.isa,
                                                   .queries = true,
+                                                  .velocities = velocities_of(options),
                                                   .depth = options.hull.has_value(),
                                                   .slopes = true,
                                                   .foam = true,
@@ -113,10 +116,7 @@ class OfflineRenderer {
         pass_.renderer().set_floor(options.scene.floor);
         if (options.scene.flow) pass_.renderer().set_flow(*options.scene.flow);
         pass_.renderer().set_sky(sky);
-        if (spray_of(options)) {
-            const glm::dvec3 viewer = options.scene.camera.position_m;
-            ocean_.set_spray_center(viewer.x, viewer.z);
-        }
+        center_spray();
         if (options.events)
             player_.emplace(*options.events, make_default_executor(options.scene.compute.threads),
                             options.scene.compute.isa, options.scene.water_frame,
@@ -131,7 +131,10 @@ class OfflineRenderer {
             rock_.emplace(context_.functions(), glm::dvec3(options.rock_m->x, 0, options.rock_m->y));
             rock_->set_light(sky);
         }
-        eyes_ = eyes_in(options.scene.width, options.scene.height);
+        if (!options.aovs.empty()) {
+            data_.emplace(context_.functions(), options.scene.width, options.scene.height, 0, gl::PixelKind::data);
+            jobs_.emplace(make_default_executor(options.scene.compute.threads));
+        }
         if (options.wireframe || options.file.empty()) return;
         display_.emplace(context_.functions());
         screen_.emplace(context_.functions(), options.scene.width, options.scene.height, 0);
@@ -144,15 +147,18 @@ class OfflineRenderer {
         const gl::Stopwatch all;
         time_s_ = time_s;
         if (hull_) moment_ = hull_->at(time_s);
+        center_spray();
         Frame frame = ocean_.frame_at(time_s);
         droplets_ = frame.droplets;
         if (player_) frame = with_water(frame, player_->at(time_s));
         sea_ms_.push_back(all.milliseconds());
 
         pass_.upload(frame);
+        eyes_ = eyes_in(camera_in(frame, time_s), options_.scene.width, options_.scene.height);
         if (!options_.hdr_file.empty()) {
             drawn_.push_back(draw(eyes_, target_, false));
             radiance_ = target_.read_radiance();
+            if (data_) aovs_ = aovs_in(frame);
         }
         if (!options_.file.empty()) {
             drawn_.push_back(draw(eyes_, target_, true));
@@ -170,6 +176,9 @@ class OfflineRenderer {
             for (std::size_t c = 0; c < 3; ++c) rgb.push_back(unit_ * radiance_[i + c]);
         return rgb;
     }
+
+    /// Returns the values of --aov for each pixel, top row first.
+    const std::vector<float>& aovs() const { return aovs_; }
 
     Json statistics() const {
         const gl::DrawStatistics& last = drawn_.back();
@@ -210,10 +219,68 @@ class OfflineRenderer {
         return is_drawn ? std::optional(SprayOptions{}) : std::nullopt;
     }
 
-    std::vector<gl::Eye> eyes_in(int width, int height) const {
+    static Velocities velocities_of(const RenderOptions& options) {
+        const bool has_velocity = std::ranges::find(options.aovs, Aov::velocity) != options.aovs.end();
+        return has_velocity ? Velocities::drawn : Velocities::none;
+    }
+
+    /// Centres the spray on a grid near the camera. Droplets depend on the centre at past ticks, so
+    /// where it moves, a frame of another time makes the ocean forget them: an image depends on its
+    /// frame alone, as with --resume.
+    void center_spray() {
+        if (!spray_of(options_)) return;
+        constexpr double step_m = 20;  // of a reach of 80 m
+        glm::dvec2 center(options_.scene.camera.position_m.x, options_.scene.camera.position_m.z);
+        if (const auto& path = options_.motion.path) {
+            const glm::dvec3 at = path->at(time_s_).position_m;
+            center = step_m * glm::round(glm::dvec2(at.x, at.z) / step_m);
+        }
+        if (spray_center_ == center) return;
+        ocean_.set_spray_center(center.x, center.y);
+        constexpr double longer_than_spray_s = 600;
+        if (spray_center_) ocean_.frame_at(time_s_ + (time_s_ > 0 ? -longer_than_spray_s : longer_than_spray_s));
+        spray_center_ = center;
+    }
+
+    /// Returns the height of the surface in a frame, m. Small water is nearly level.
+    double water_height(const Frame& frame, double x_m, double z_m) const {
+        float height_m = 0;
+        std::uint8_t converged = 0;
+        if (options_.scene.surface == gl::Surface::open)
+            SurfaceQuery(frame).sample({{&x_m, 1}, {&z_m, 1}},
+                                       {.height_m = {&height_m, 1}, .converged = {&converged, 1}});
+        return converged ? double{height_m} : frame.water_frame.sea_level_m;
+    }
+
+    Camera camera_in(const Frame& frame, double time_s) const {
+        Camera camera = options_.scene.camera;
+        if (options_.motion.path) {
+            const CameraPath::Key key = options_.motion.path->at(time_s);
+            camera.position_m = key.position_m;
+            camera.target_m = key.target_m;
+        }
+        if (options_.motion.eye_height_m) {
+            glm::dvec3& position = camera.position_m;
+            const double height_m = water_height(frame, position.x, position.z) + *options_.motion.eye_height_m;
+            if (!options_.has_target) camera.target_m.y += height_m - position.y;
+            position.y = height_m;
+        }
+        // A path may cross that of its target.
+        if (glm::distance(camera.position_m, camera.target_m) < 1e-6) camera.target_m.y -= 1;
+        return camera;
+    }
+
+    /// Draws the frame's values of --aov, and returns them.
+    std::vector<float> aovs_in(const Frame& frame) {
+        data_->clear();
+        pass_.draw({.eyes = eyes_, .mode = gl::DrawMode::surface_data});
+        return aov_pixels(options_.aovs, data_->read_radiance(), eyes_[0], frame, *jobs_);
+    }
+
+    std::vector<gl::Eye> eyes_in(const Camera& camera, int width, int height) const {
         const gl::Viewport whole{0, 0, width, height};
-        if (options_.stereo) return gl::eyes_of(options_.scene.camera, whole, eye_distance_m);
-        return {gl::eye_of(options_.scene.camera, whole)};
+        if (options_.stereo) return gl::eyes_of(camera, whole, eye_distance_m);
+        return {gl::eye_of(camera, whole)};
     }
 
     /// \param weighs_samples  true: weight the samples of a pixel for display, see gl::DrawInput;
@@ -242,14 +309,16 @@ class OfflineRenderer {
     float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
 
     /// Returns the exposure value metered for the view at time 0, whatever times are rendered.
-    /// Camera and light are constant, so films do not flicker, and an image is identical in every
-    /// run that contains it.
+    /// It is that of the first key of --path. So films do not flicker, and an image is identical in
+    /// every run that contains it.
     float metered_ev() {
         const int width = std::min(options_.scene.width, metered_width);
         const int height = std::max(1, options_.scene.height * width / options_.scene.width);
         gl::RenderTarget small(context_.functions(), width, height, 0, gl::PixelKind::radiance);
-        pass_.upload(ocean_.frame_at(0));
-        draw(eyes_in(width, height), small, true);
+        const Frame frame = ocean_.frame_at(0);
+        pass_.upload(frame);
+        const double first_s = options_.motion.path ? options_.motion.path->first_s() : 0;
+        draw(eyes_in(camera_in(frame, first_s), width, height), small, true);
         gl::LightMeter meter(context_.functions());
         return gl::metered_ev(meter.measure(small.resolved()), luminance_of_unit_);
     }
@@ -280,7 +349,10 @@ class OfflineRenderer {
     std::optional<gl::RenderTarget> screen_;
     float luminance_of_unit_, unit_, ev_ = 15;
     std::vector<std::uint8_t> pixels_;
-    std::vector<float> radiance_;
+    std::vector<float> radiance_, aovs_;
+    std::optional<gl::RenderTarget> data_;  ///< none without --aov, as jobs_
+    std::optional<SurfaceQueryJobs> jobs_;
+    std::optional<glm::dvec2> spray_center_;
     std::vector<gl::Eye> eyes_;
     double time_s_ = 0;  ///< of the frame
     std::vector<double> sea_ms_, image_ms_;  ///< of each frame
@@ -365,7 +437,11 @@ Json render_images(const RenderOptions& options, const gl::Sky& sky, const Outpu
         if (film) film->add(maker.pixels());
         const HeldStop whole_files;
         if (outputs.images) outputs.images.write(frame, encode_png(maker.pixels(), width, height));
-        if (outputs.hdr) outputs.hdr.write(frame, encode_light(maker.radiance(), width, height));
+        if (outputs.hdr)
+            outputs.hdr.write(frame, options.aovs.empty()
+                                         ? encode_light(maker.radiance(), width, height)
+                                         : encode_light(maker.radiance(), channel_names(options.aovs), maker.aovs(),
+                                                        width, height));
     }
     if (film) {
         const Film::Encoded encoded = film->finish();

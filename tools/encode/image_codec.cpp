@@ -27,4 +27,25 @@ std::vector<unsigned char> encode_light(std::span<const float> rgb, int width, i
     return image_codec().encode(image, rgb.data());
 }
 
+std::vector<unsigned char> encode_light(std::span<const float> rgb, std::span<const std::string> names,
+                                        std::span<const float> values, int width, int height) {
+    ImageDescription image{.extension = "exr",
+                           .width = width,
+                           .height = height,
+                           .channels = static_cast<int>(3 + names.size()),
+                           .sample = Sample::float32,
+                           .colour_space = "Linear",
+                           .compression = "zip",
+                           .channel_names = {"R", "G", "B"}};
+    image.channel_names.insert(image.channel_names.end(), names.begin(), names.end());
+    std::vector<float> pixels;
+    pixels.reserve(rgb.size() + values.size());
+    for (std::size_t i = 0; i < rgb.size() / 3; ++i) {
+        const auto colour = rgb.subspan(3 * i, 3), others = values.subspan(names.size() * i, names.size());
+        pixels.insert(pixels.end(), colour.begin(), colour.end());
+        pixels.insert(pixels.end(), others.begin(), others.end());
+    }
+    return image_codec().encode(image, pixels.data());
+}
+
 }  // namespace pelagic::tools

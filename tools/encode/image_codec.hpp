@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pelagic/tools/files/sample.hpp"
@@ -22,6 +23,8 @@ struct ImageDescription {
     std::optional<int> png_level = {};  ///< zlib level, 1 to 9; unset: the default of the format
     /// the fourth channel is data, not coverage; others are not premultiplied
     bool has_unassociated_alpha = false;
+    /// EXR names of the channels; empty: R, G, B and A
+    std::vector<std::string> channel_names = {};
 };
 
 /// Function table that the library exports as `pelagic_image_codec`.
@@ -52,5 +55,11 @@ std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, int wi
 /// Encodes linear radiance as an EXR file of 32-bit floats.
 /// \param rgb  top row first
 std::vector<unsigned char> encode_light(std::span<const float> rgb, int width, int height);
+
+/// As above, with further channels.
+/// \param names   EXR names of the further channels
+/// \param values  of these channels for each pixel, top row first
+std::vector<unsigned char> encode_light(std::span<const float> rgb, std::span<const std::string> names,
+                                        std::span<const float> values, int width, int height);
 
 }  // namespace pelagic::tools

@@ -40,6 +40,10 @@ std::vector<unsigned char> encode(const ImageDescription& image, const void* pix
     spec.attribute("oiio:ColorSpace", image.colour_space);
     if (image.compression) spec.attribute("compression", image.compression);
     if (image.png_level) spec.attribute("png:compressionLevel", *image.png_level);
+    if (!image.channel_names.empty()) {
+        spec.channelnames = image.channel_names;
+        spec.alpha_channel = spec.z_channel = -1;
+    }
     if (image.has_unassociated_alpha) {
         spec.alpha_channel = 3;
         spec.attribute("oiio:UnassociatedAlpha", 1);

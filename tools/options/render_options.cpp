@@ -68,22 +68,68 @@ void RenderFlags::add_to(CLI::App& app) {
     app.option_defaults()->group(help_group::output);
     add("out,-o,FILE", "FILE.png|mp4", "image, images as FILE.####.png, or a film by ffmpeg (default: sea.png)");
     add("hdr", "FILE.exr", "also write linear radiance; 1: the sun above the atmosphere");
+    add("aov", alternatives(names_of<Aov>()), "layers of --hdr, with commas between them");
     add("sky", "FILE.exr", "also write the sky as an environment map, without the sun's disc");
     app.add_flag("--resume", resume_, "keep the images that exist, and render the others");
     app.add_flag("--json", json_, "print statistics as JSON");
 
     app.option_defaults()->group(help_group::frames);
-    add("time", "SECONDS", "time of the first frame; [-1e9, 1e9] (default: 0)");
-    add("frames", "NUMBER", "number of images; 1 to 100000 (default: 1; 5 seconds of a film)");
+    add("time", "SECONDS", "time of the first frame; [-1e9, 1e9] (default: 0, or the first of --path)");
+    add("frames", "NUMBER", "number of images; 1 to 100000 (default: 1; 5 seconds of a film; all of --path)");
     add("fps", "NUMBER", "images per second; (0, 1000] (default: 24)");
 
     app.option_defaults()->group(help_group::view);
+    add("eye-height", "METRES", "height above the water below the camera, whose place is --camera X,Z; [-100, 10000]");
+    add("path", "FILE.csv", "path of the camera: columns time,x,y,z,target_x,target_y,target_z");
     app.add_flag("--wireframe", wireframe_, "draw the mesh, with one colour per level of detail");
     app.add_flag("--stereo", stereo_, "draw the images of both eyes side by side");
     add("rock", "X,Z", "place a rock of about 12 x 6 m; metres in [-10000, 10000]");
     hull_.add_to(app);
     events_.add_to(app);
     scene_.add_to(app);
+}
+
+CameraMotion RenderFlags::resolve_motion() const {
+    CameraMotion motion;
+    if (const auto& text = typed_.at("eye-height"))
+        motion.eye_height_m = number_in("--eye-height", *text, -100, 10'000, "[-100, 10000] m");
+    if (const auto& file = typed_.at("path")) motion.path = read_camera_path(*file, !motion.eye_height_m);
+    return motion;
+}
+
+void RenderFlags::resolve_times(RenderOptions& options) const {
+    const CameraPath* const path = options.motion.path.get();
+    if (path) options.time_s = path->first_s();
+    if (const auto& text = typed_.at("time"))
+        options.time_s = number_in("--time", *text, -1e9, 1e9, "seconds in [-1e9, 1e9]");
+    if (const auto& text = typed_.at("fps"))
+        options.fps = number_in("--fps", *text, 1e-6, 1000, "frames a second in (0, 1000]");
+    if (const auto& text = typed_.at("frames")) {
+        options.frames = whole_number_in("--frames", *text, 1, max_rendered_frames);
+    } else if (path) {
+        // The last frame is at the last key or before it; rounding must not lose it.
+        const double frames = 1 + std::floor(std::max(0., path->last_s() - options.time_s) * options.fps + 1e-6);
+        if (frames > max_rendered_frames)
+            throw InputError("--path has " + number_text(frames) + " frames, expected at most " +
+                             number_text(max_rendered_frames) + "; --frames and --fps choose fewer");
+        options.frames = static_cast<int>(frames);
+    } else if (options.is_film()) {
+        options.frames = std::max(1, static_cast<int>(std::lround(default_film_s * options.fps)));
+    }
+}
+
+void RenderFlags::resolve_aovs(RenderOptions& options) const {
+    const auto& text = typed_.at("aov");
+    if (!text) return;
+    options.aovs = parse_aovs("--aov", *text);
+    if (options.hdr_file.empty()) throw InputError("--aov requires --hdr FILE.exr");
+    for (const auto& [flag, is_given] : {std::pair("--stereo", stereo_),
+                                         {"--rock", options.rock_m.has_value()},
+                                         {"--hull", options.hull.has_value()}})
+        if (is_given) throw InputError(std::string("--aov cannot be combined with ") + flag);
+    if (std::ranges::find(options.aovs, Aov::velocity) != options.aovs.end() &&
+        options.scene.surface != gl::Surface::open)
+        throw InputError("--aov velocity requires --surface open");
 }
 
 RenderOptions RenderFlags::resolve() const {
@@ -100,7 +146,9 @@ RenderOptions RenderFlags::resolve() const {
     if (wireframe_ && !options.hdr_file.empty())
         throw bad_value("--hdr", options.hdr_file.string(),
                         "a sea without --wireframe, whose colours are no radiance");
-    options.scene = scene_.resolve();
+    options.motion = resolve_motion();
+    options.scene = scene_.resolve(options.motion);
+    options.has_target = scene_.has_target() || options.motion.path;
     options.wireframe = wireframe_;
     options.stereo = stereo_;
     options.json = json_;
@@ -112,21 +160,11 @@ RenderOptions RenderFlags::resolve() const {
     const auto given = [&](const char* flag, auto use) {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
     };
-    given("time", [&](const auto& option, const auto& text) {
-        options.time_s = number_in(option, text, -1e9, 1e9, "seconds in [-1e9, 1e9]");
-    });
-    given("frames", [&](const auto& option, const auto& text) {
-        options.frames = whole_number_in(option, text, 1, max_rendered_frames);
-    });
+    resolve_times(options);
     given("rock", [&](const auto& option, const auto& text) {
         options.rock_m = rock_place(option, text);
         if (stereo_ || wireframe_) throw bad_value(option, text, "an image without --stereo and --wireframe");
     });
-    given("fps", [&](const auto& option, const auto& text) {
-        options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");
-    });
-    if (options.is_film() && !typed_.at("frames"))
-        options.frames = std::max(1, static_cast<int>(std::lround(default_film_s * options.fps)));
     options.hull = hull_.resolve();
     if (options.hull) {
         if (options.scene.surface != gl::Surface::open) throw InputError("--hull requires --surface open");
@@ -134,6 +172,7 @@ RenderOptions RenderFlags::resolve() const {
              {std::pair("--stereo", stereo_), {"--wireframe", wireframe_}, {"--rock", options.rock_m.has_value()}})
             if (is_given) throw InputError(std::string("--hull cannot be combined with ") + flag);
     }
+    resolve_aovs(options);
     const double last_s = options.time_s + (options.frames - 1) / options.fps;
     options.events = events_.resolve(options.scene.sea.sea.depth_m,
                                      options.hull ? std::optional(options.hull->place()) : std::nullopt);

@@ -7,7 +7,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "pelagic/tools/aov/aov.hpp"
 #include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/hulls/hull_options.hpp"
 #include "pelagic/tools/options/scene_options.hpp"
@@ -19,6 +21,9 @@ struct RenderOptions {
     /// Output files: the image as PNG or a film as MP4, the radiance as EXR, the sky as EXR. At
     /// least one is not empty.
     std::filesystem::path file, hdr_file, sky_file;
+    CameraMotion motion;
+    bool has_target = true;  ///< false: the target moves up and down with the camera of --eye-height
+    std::vector<Aov> aovs;   ///< layers of `hdr_file`
     double time_s = 0;
     int frames = 1;
     double fps = 24;
@@ -44,6 +49,10 @@ class RenderFlags {
     RenderOptions resolve() const;
 
    private:
+    CameraMotion resolve_motion() const;
+    void resolve_aovs(RenderOptions& options) const;
+    void resolve_times(RenderOptions& options) const;
+
     SceneFlags scene_;
     HullFlags hull_;
     EventFlags events_;

@@ -46,7 +46,8 @@ void choose_surface(SceneOptions& options, const std::string& name, const std::o
     options.flow = read_flow_map("--flow", *flow_file);
 }
 
-void choose_quality(SceneOptions& options, const std::string& name) {
+/// \param max_height_m  largest height of the camera
+void choose_quality(SceneOptions& options, const std::string& name, double max_height_m) {
     const QuadtreePreset* preset = quadtree_preset_named(name);
     if (!preset) {
         std::vector<std::string> names;
@@ -58,7 +59,7 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     // Small water bodies are seen from near and have short waves, which need the finer vertices of
     // a small square.
     const double size_m = options.surface != gl::Surface::open ? 512
-                          : options.camera.position_m.y > 100  ? 8192
+                          : max_height_m > 100                 ? 8192
                                                                : 4096;
     options.quadtree =
         options.surface == gl::Surface::open ? preset->options_near_water(size_m) : preset->options(size_m);
@@ -85,9 +86,9 @@ const gl::LightPreset& light_named(const std::string& option, const std::string&
 }
 
 /// Returns the camera of the options. Without --camera it is above the highest crests.
-Camera chosen_camera(const CameraFlags& flags, const SeaState& sea, double sea_level_m) {
-    Camera camera = flags.resolve(sea_level_m);
-    if (!flags.has_place())
+Camera chosen_camera(const CameraFlags& flags, const CameraMotion& motion, const SeaState& sea, double sea_level_m) {
+    Camera camera = flags.resolve(sea_level_m, motion);
+    if (!flags.has_place() && !motion.path && !motion.eye_height_m)
         camera.position_m.y =
             std::max(camera.position_m.y, sea_level_m + 2 + 1.2 * expected_waves(sea).significant_wave_height_m);
     return camera;
@@ -169,7 +170,7 @@ void SceneFlags::read_camera_settings(gl::CameraSettings& settings) const {
     });
 }
 
-SceneOptions SceneFlags::resolve() const {
+SceneOptions SceneFlags::resolve(const CameraMotion& motion) const {
     SceneOptions options;
     options.sea = sea_.resolve();
     print_weather_note(options.sea);
@@ -179,7 +180,7 @@ SceneOptions SceneFlags::resolve() const {
     const FloorOptions floor = floor_.resolve(options.sea);
     if (floor.field) options.floor = gl::floor_of(*floor.field);
     options.shore = floor.shore();
-    options.camera = chosen_camera(camera_, options.sea.sea, options.water_frame.sea_level_m);
+    options.camera = chosen_camera(camera_, motion, options.sea.sea, options.water_frame.sea_level_m);
 
     const auto given = [&](const char* flag, auto use) {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
@@ -220,7 +221,9 @@ SceneOptions SceneFlags::resolve() const {
             throw InputError("--spray on requires --surface open");
     });
     if (options.shore && options.surface != gl::Surface::open) throw InputError("--shore requires --surface open");
-    choose_quality(options, typed_.at("quality").value_or("high"));
+    const bool has_heights = motion.path && !motion.eye_height_m;
+    choose_quality(options, typed_.at("quality").value_or("high"),
+                   has_heights ? motion.path->max_height_m() : options.camera.position_m.y);
     return options;
 }
 

@@ -76,7 +76,9 @@ class SceneFlags {
     void add_to(CLI::App& app, SeaOptions::PresetName preset = SeaOptions::PresetName::option);
     /// Checks the options.
     /// \throws InputError  on one line with option, value and range
-    SceneOptions resolve() const;
+    /// \param motion  of the camera
+    SceneOptions resolve(const CameraMotion& motion = {}) const;
+    bool has_target() const { return camera_.has_target(); }  ///< true if --target was given
     /// Returns a heading and a line for each preset of --light.
     static std::string description_of_lights();
     /// Returns the floor's options as given on the command line, to print an equivalent command.
