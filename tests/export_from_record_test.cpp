@@ -47,7 +47,7 @@ const std::map<std::string, Words> other_values = {
     {"loop-frames", {"--loop-frames", "48", "--start-number", "5"}},
     {"maps", {"--maps", "gradient,compression"}},
     {"format", {"--format", "tif"}},
-    {"bit-depth", {"--maps", "normal", "--bit-depth", "16"}},
+    {"bit-depth", {"--maps", "normal", "--bit-depth", "8"}},
     {"foam-size", {"--maps", "foam", "--foam-size", "50"}},
     {"foam-pixels", {"--maps", "foam", "--foam-pixels", "64"}},
     {"normal-y", {"--maps", "normal", "--normal-y", "down"}},

@@ -266,7 +266,7 @@ TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
 }
 
 INSTANTIATE_TEST_SUITE_P(MapRequest, LevelsOfExportedMaps,
-                         testing::Values(MapRequest{"Bytes", {}},
+                         testing::Values(MapRequest{"Bytes", {"--bit-depth", "8"}},
                                          MapRequest{"Halves",
                                                     {"--half", "--bit-depth", "float", "--rows", "bottom"}}),
                          [](const auto& asked) { return asked.param.name; });
@@ -274,12 +274,27 @@ INSTANTIATE_TEST_SUITE_P(
     MapRequest, ExportedMaps,
     testing::Values(
         MapRequest{"AsTheyAre", {}},
-        MapRequest{"ForDirectXIn16Bits", {"--bit-depth", "16", "--normal-y", "down", "--rows", "bottom"}},
+        MapRequest{"ForDirectXIn8Bits", {"--bit-depth", "8", "--normal-y", "down", "--rows", "bottom"}},
         MapRequest{"ZUpInCentimetresAsTiff",
                    {"--format", "tif", "--bit-depth", "16", "--axes", "z-up", "--unit", "cm", "--rows", "bottom"}},
         MapRequest{"ZUpInHalves", {"--half", "--bit-depth", "float", "--axes", "z-up", "--normal-y", "down"}},
         MapRequest{"FloatsInCentimetres", {"--bit-depth", "float", "--unit", "cm", "--rows", "bottom"}}),
     [](const auto& asked) { return asked.param.name; });
+
+TEST(ExportedNormals, Have16BitsByDefaultWhereFilesAreImages) {
+    for (const auto& [format, type] : std::vector<std::pair<std::string, std::string>>{
+             {"exr", "uint16"}, {"tif", "uint16"}, {"ktx2", "uint8"}, {"dds", "uint8"}}) {
+        const TemporaryFolder folder;
+        const Outcome outcome = run_mapped_gale({"export", "--out", folder.path().string()},
+                                                {"--no-sync", "--maps", "normal", "--format", format});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_NE(read_file(folder / "sea.json").find("\"" + type + "\""), std::string::npos) << format;
+        if (format == "exr") {
+            // The header of a PNG file has the bits of a sample at byte 24.
+            EXPECT_EQ(read_file(folder / "normal_0000.png").at(24), 16);
+        }
+    }
+}
 
 // Imath is an independent implementation.
 TEST(HalfOf, MatchesImathForEveryHalfAndNearEveryMidpoint) {

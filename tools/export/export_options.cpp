@@ -218,7 +218,8 @@ void ExportFlags::add_to(CLI::App& app) {
     add("maps", "NAMES", names_of_maps() + ", separated by commas, or none (default: displacement,gradient)");
     add("format", "exr|tif|ktx2|dds",
         "exr: floats as EXR, others as PNG; tif: all as TIFF; ktx2 and dds: textures (default: exr)");
-    add("bit-depth", alternatives(names_of<BitDepth>()), "bits of normal and foam (default: 8)");
+    add("bit-depth", alternatives(names_of<BitDepth>()),
+        "bits of normal and foam (default: 16 of PNG and TIFF with normal, else 8)");
     app.add_flag("--half", half_, "write 16-bit instead of 32-bit floats");
     add("foam-size", "METRES", "side of the foam map of several cascades; [0.001, 1e6] (default: 200)");
     add("foam-pixels", "NUMBER", "pixels along its side; 1 to 8192 (default: 1024)");
@@ -327,6 +328,10 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
     const auto& compression = typed("compression");
     if (is_texture(options.format)) options.compression = Compression::none;
     if (compression) options.compression = compression_in(options.format, *compression);
+    // A slope of 1/127, the step of 8 bits, shows as bands in reflections of calm water.
+    if (!typed("bit-depth") && options.has(MapKind::normal) && options.pack == Pack::files &&
+        !is_texture(options.format))
+        options.bit_depth = BitDepth::bits_16;
     check_exr(options);
     return options;
 }

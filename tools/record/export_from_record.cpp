@@ -53,13 +53,16 @@ std::vector<std::string> words_in(const Json& how, const std::filesystem::path& 
     // The record contains the digest of the events file beside it.
     if (how.contains("events_xxh3")) words.insert(words.end(), {"--events", path_word(folder / events_copy_name)});
     const Json usual = options_as_json({})["export"];
+    // Their default bit depth is that of a format and a pack.
+    const Json maps = how.value("maps", Json());
+    const bool has_normals = maps.is_array() && std::find(maps.begin(), maps.end(), "normal") != maps.end();
     for (const auto& [key, value] : how.items()) {
         if (key == "names" || key == "loop" || (key == "frames" && is_list)) continue;
         if (key == "frame_numbers")
             words.insert(words.end(), {"--frames", as_list(typed_value(value))});
         else if (key == "frames")
             words.insert(words.end(), {is_loop ? "--loop-frames" : "--frames", typed_value(value)});
-        else if (!usual.contains(key) || usual[key] != value)
+        else if (!usual.contains(key) || usual[key] != value || (key == "bit_depth" && has_normals))
             add_words(words, key, value);
     }
     return words;
