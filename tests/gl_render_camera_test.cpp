@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -242,6 +244,27 @@ TEST(RenderCamera, PathResumesToTheSameImages) {
     EXPECT_NE(read_file(folder / "f_0002.exr"), whole);
 }
 
+TEST(RenderLayers, SprayPointsAreTheDropletsOfTheImage) {
+    const TemporaryFolder folder;
+    const Outcome run = render(folder / "sea.exr", {"--preset", "beaufort-10", "--resolution", "64", "--json",
+                                                    "--spray-points", (folder / "spray.ply").string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const std::string ply = read_file(folder / "spray.ply"), end = "end_header\n";
+    const std::size_t header = ply.find(end) + end.size();
+    const std::size_t count = nlohmann::json::parse(run.out)["statistics"]["spray_droplets"].get<std::size_t>();
+    EXPECT_GT(count, 500u);
+    EXPECT_NE(ply.find("element vertex " + std::to_string(count) + "\n"), std::string::npos);
+    ASSERT_EQ(ply.size() - header, count * 9 * sizeof(float));
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<float, 9> point;
+        std::memcpy(point.data(), &ply[header + i * sizeof(point)], sizeof(point));
+        // SprayOptions::reach_m, and what droplets fly in max_spray_lifetime_s at 40 m/s
+        EXPECT_LT(std::hypot(point[0], point[2]), 80 + 1.5 * 40);
+        EXPECT_LE(point[7], 1);
+        EXPECT_LE(point[8], 1.5);
+    }
+}
+
 TEST(RenderCamera, RejectsContradictionsInOneLine) {
     const TemporaryFolder folder;
     const std::string path = (folder / "path.csv").string();
@@ -256,6 +279,8 @@ TEST(RenderCamera, RejectsContradictionsInOneLine) {
              {{"--path", path, "--eye-height", "2"}, "path.csv:1: the first line is " + header.substr(0, 37) +
                                                          ", expected the columns time,x,z,target_x,target_y,target_z"},
              {{"--path", path + "x"}, "which can't be read, expected a CSV file with the columns time,x,y,z"},
+             {{"--spray-points", "a.ply", "--spray", "off"}, "--spray-points requires an image with spray"},
+             {{"--spray-points", "a.exr"}, "--spray-points is a.exr, expected a file named *.ply"},
              {{"--aov", "depth"}, "--aov requires --hdr FILE.exr"},
              {{"--hdr", "a.exr", "--aov", "depht"},
               "--aov is depht, expected depth, normal, foam, velocity or position"},

@@ -34,6 +34,7 @@
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/hulls/hull_player.hpp"
 #include "pelagic/tools/meshes/hull_file.hpp"
+#include "pelagic/tools/meshes/mesh.hpp"
 #include "pelagic/tools/options/render_options.hpp"
 #include "pelagic/tools/record/sea_json.hpp"
 #include "pelagic/tools/text/errors.hpp"
@@ -177,6 +178,7 @@ class OfflineRenderer {
         return rgb;
     }
 
+    std::span<const SprayDroplet> droplets() const { return droplets_; }  ///< of the drawn frame
     /// Returns the values of --aov for each pixel, top row first.
     const std::vector<float>& aovs() const { return aovs_; }
 
@@ -214,9 +216,7 @@ class OfflineRenderer {
 
    private:
     static std::optional<SprayOptions> spray_of(const RenderOptions& options) {
-        const bool is_drawn =
-            !options.wireframe && options.scene.has_spray(options.scene.shading.value_or(gl::Shading::high));
-        return is_drawn ? std::optional(SprayOptions{}) : std::nullopt;
+        return options.has_spray() ? std::optional(SprayOptions{}) : std::nullopt;
     }
 
     static Velocities velocities_of(const RenderOptions& options) {
@@ -359,7 +359,7 @@ class OfflineRenderer {
     std::vector<gl::DrawStatistics> drawn_;
 };
 
-/// The images of one option, --out or --hdr; none if the option is not given.
+/// The files of one option, --out, --hdr or --spray-points; none if the option is not given.
 class Files {
    public:
     Files(const RenderOptions& options, const std::filesystem::path& named) : options_(options), named_(named) {
@@ -407,19 +407,20 @@ Json water_as_json(const gl::WaterOptics& water) {
 struct Outputs {
     explicit Outputs(const RenderOptions& options)
         : images(options, options.is_film() ? std::filesystem::path() : options.file),
-          hdr(options, options.hdr_file) {
+          hdr(options, options.hdr_file),
+          spray(options, options.spray_file) {
         if (options.is_film()) {
             if (!can_make_films())
                 throw bad_value("--out", options.file.string(), "*.png, or the program ffmpeg in PATH");
             film_file.emplace(options.file);
         }
         if (!options.sky_file.empty()) panorama.emplace(options.sky_file);
-        if (!images && !hdr && !film_file) return;
+        if (!images && !hdr && !film_file) return;  // of --sky alone
         for (int frame = 0; frame < options.frames; ++frame)
-            if (!options.resume || !images.has(frame) || !hdr.has(frame)) frames.push_back(frame);
+            if (!options.resume || !images.has(frame) || !hdr.has(frame) || !spray.has(frame)) frames.push_back(frame);
     }
 
-    Files images, hdr;
+    Files images, hdr, spray;
     std::optional<OutputFile> film_file, panorama;
     std::vector<int> frames;  ///< to be rendered
 };
@@ -437,6 +438,7 @@ Json render_images(const RenderOptions& options, const gl::Sky& sky, const Outpu
         if (film) film->add(maker.pixels());
         const HeldStop whole_files;
         if (outputs.images) outputs.images.write(frame, encode_png(maker.pixels(), width, height));
+        if (outputs.spray) outputs.spray.write(frame, spray_as_ply(maker.droplets()));
         if (outputs.hdr)
             outputs.hdr.write(frame, options.aovs.empty()
                                          ? encode_light(maker.radiance(), width, height)
@@ -500,6 +502,7 @@ void run_render(const RenderOptions& options) {
     progress.reset();
     outputs.images.sync();
     outputs.hdr.sync();
+    outputs.spray.sync();
     if (options.json)
         std::printf("%s\n", json.dump(2).c_str());
     else if (!is_quiet())

@@ -89,6 +89,21 @@ Bytes mesh_as_ply(const Mesh& mesh) {
     return bytes;
 }
 
+Bytes spray_as_ply(std::span<const SprayDroplet> droplets) {
+    std::string header = "ply\nformat binary_little_endian 1.0\ncomment Pelagic: spray, x east, y up, z south\n";
+    header += "element vertex " + std::to_string(droplets.size()) + '\n';
+    for (const char* const name : {"x", "y", "z", "vx", "vy", "vz", "radius", "opacity", "age"})
+        header.append("property float ").append(name).append("\n");
+    header += "end_header\n";
+    Bytes bytes(header.begin(), header.end());
+    for (const SprayDroplet& drop : droplets)
+        for (const float number :
+             {static_cast<float>(drop.x_m), static_cast<float>(drop.y_m), static_cast<float>(drop.z_m),
+              drop.velocity_x_mps, drop.velocity_y_mps, drop.velocity_z_mps, drop.radius_m, drop.opacity, drop.age_s})
+            append_little_endian(bytes, number);
+    return bytes;
+}
+
 void append_mdd_header(Bytes& bytes, std::span<const float> times_s, std::size_t points) {
     append_big_endian(bytes, static_cast<std::int32_t>(times_s.size()));
     append_big_endian(bytes, static_cast<std::int32_t>(points));

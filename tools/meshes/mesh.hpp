@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/spray.hpp"
 #include "pelagic/tools/files/byte_order.hpp"
 
 namespace pelagic::tools {
@@ -47,6 +48,10 @@ std::string mesh_as_obj(const Mesh& mesh, ObjDigits digits);
 /// ny nz s t. With foam, the file also has `foam` as a float, and red, green and blue as grey for
 /// programs that ignore unknown properties.
 Bytes mesh_as_ply(const Mesh& mesh);
+
+/// Returns droplets as the points of a PLY file: x y z in metres, vx vy vz in m/s (y up), radius in
+/// metres, opacity and age in seconds, as floats.
+Bytes spray_as_ply(std::span<const SprayDroplet> droplets);
 
 /// Appends the header.
 void append_mdd_header(Bytes& bytes, std::span<const float> times_s, std::size_t points);

@@ -69,6 +69,7 @@ void RenderFlags::add_to(CLI::App& app) {
     add("out,-o,FILE", "FILE.png|mp4", "image, images as FILE.####.png, or a film by ffmpeg (default: sea.png)");
     add("hdr", "FILE.exr", "also write linear radiance; 1: the sun above the atmosphere");
     add("aov", alternatives(names_of<Aov>()), "layers of --hdr, with commas between them");
+    add("spray-points", "FILE.ply", "also write the droplets of spray as points");
     add("sky", "FILE.exr", "also write the sky as an environment map, without the sun's disc");
     app.add_flag("--resume", resume_, "keep the images that exist, and render the others");
     app.add_flag("--json", json_, "print statistics as JSON");
@@ -138,6 +139,7 @@ RenderOptions RenderFlags::resolve() const {
     options.file =
         checked_file("--out", out, {image_extension, film_extension}, out && out->ends_with(film_extension));
     options.hdr_file = checked_file("--hdr", typed_.at("hdr"), {".exr"}, false);
+    options.spray_file = checked_file("--spray-points", typed_.at("spray-points"), {".ply"}, false);
     options.sky_file = checked_file("--sky", typed_.at("sky"), {".exr"}, true);
     if (options.file.empty() && options.hdr_file.empty() && options.sky_file.empty()) options.file = default_file;
     if (options.is_film() && resume_) throw InputError("--resume cannot be combined with a film, --out *.mp4");
@@ -173,6 +175,8 @@ RenderOptions RenderFlags::resolve() const {
             if (is_given) throw InputError(std::string("--hull cannot be combined with ") + flag);
     }
     resolve_aovs(options);
+    if (!options.spray_file.empty() && !options.has_spray())
+        throw InputError("--spray-points requires an image with spray: --surface open and --spray on");
     const double last_s = options.time_s + (options.frames - 1) / options.fps;
     options.events = events_.resolve(options.scene.sea.sea.depth_m,
                                      options.hull ? std::optional(options.hull->place()) : std::nullopt);

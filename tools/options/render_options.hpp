@@ -21,6 +21,7 @@ struct RenderOptions {
     /// Output files: the image as PNG or a film as MP4, the radiance as EXR, the sky as EXR. At
     /// least one is not empty.
     std::filesystem::path file, hdr_file, sky_file;
+    std::filesystem::path spray_file;  ///< droplets as PLY; may be empty
     CameraMotion motion;
     bool has_target = true;  ///< false: the target moves up and down with the camera of --eye-height
     std::vector<Aov> aovs;   ///< layers of `hdr_file`
@@ -33,11 +34,13 @@ struct RenderOptions {
     bool wireframe = false, stereo = false, json = false;
     bool resume = false;  ///< keep images that exist
 
+    /// Returns true if images show spray.
+    bool has_spray() const { return !wireframe && scene.has_spray(scene.shading.value_or(gl::Shading::high)); }
     /// Returns true if `file` is one film of all frames.
     bool is_film() const { return file.extension() == ".mp4"; }
     /// Returns the path of a frame's file: FILE.png, or FILE_0000.png and so on if there are
     /// several frames; for FILE.####.png always FILE.0000.png and so on.
-    /// \param named  `file` or `hdr_file`
+    /// \param named  `file`, `hdr_file` or `spray_file`
     std::filesystem::path file_of(const std::filesystem::path& named, int frame) const;
 };
 
