@@ -15,7 +15,7 @@ namespace {
 constexpr double farthest_key_m = 1e7, latest_key_s = 1e9;  // as of --camera and --time
 constexpr double min_view_m = 1e-6;
 constexpr std::array<std::string_view, 7> path_columns = {"time",     "x",        "y",       "z",
-                                                   "target_x", "target_y", "target_z"};
+                                                          "target_x", "target_y", "target_z"};
 constexpr std::size_t time_column = 0, height_column = 2;
 constexpr std::string_view columns_with_height = "time,x,y,z,target_x,target_y,target_z";
 constexpr std::string_view columns_without_height = "time,x,z,target_x,target_y,target_z (--eye-height replaces y)";
