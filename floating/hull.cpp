@@ -156,11 +156,11 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
     find_displaced_moments();
     divide_triangles();
 
-    // A vertex represents a third of its triangles in plan.
+    // A vertex represents a third of its triangles in plan, of those that look down: the others are not divided.
     weights_.assign(arms_m_.size(), 0);
     double sum = 0;
     for (const auto& [a, b, c] : triangles_) {
-        const double in_plan = std::fabs(glm::cross(arms_m_[b] - arms_m_[a], arms_m_[c] - arms_m_[a]).y);
+        const double in_plan = std::max(-glm::cross(arms_m_[b] - arms_m_[a], arms_m_[c] - arms_m_[a]).y, 0.0);
         for (const std::uint32_t vertex : {a, b, c}) weights_[vertex] += in_plan;
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
             longest_edge_m_ = std::max(longest_edge_m_, wet_extent_m(arms_m_[from], arms_m_[to]));
@@ -206,18 +206,16 @@ Hull::Hull(HullMesh mesh, const HullOptions& options)
                     std::sqrt(weight_n * std::fabs(afloat_.roll_gm_m) * (inertia_kgm2_.x + added_mass_[3][3]));
 }
 
-/// Returns how far the part of an edge below the waterline at rest extends along an axis.
+/// Returns how far an edge that reaches below the waterline at rest extends along an axis; 0 for others.
 double Hull::wet_extent_m(const glm::dvec3& a, const glm::dvec3& b) const {
+    if (afloat_.floats && std::min(a.y, b.y) >= -afloat_.height_m) return 0;
     const glm::dvec3 extent = glm::abs(b - a);
-    const double farthest_m = std::max({extent.x, extent.y, extent.z});
-    const double below_m = -afloat_.height_m - std::min(a.y, b.y);
-    if (!afloat_.floats || below_m >= extent.y) return farthest_m;
-    return below_m > 0 ? below_m / extent.y * farthest_m : 0;
+    return std::max({extent.x, extent.y, extent.z});
 }
 
-/// Divides triangles at the middles of edges of which a part below the waterline at rest extends far along an axis.
-/// Both triangles at an edge divide it, so the surface stays closed. Of a mesh that would have too many vertices, edges
-/// stay longer.
+/// Divides triangles at the middles of edges that reach below the waterline at rest and extend far along an axis. Both
+/// triangles at an edge divide it, so the surface stays closed. Of a mesh that would have too many vertices, edges stay
+/// longer.
 void Hull::divide_triangles() {
     constexpr double longest_over_length = 0.1;
     constexpr std::size_t max_vertices = 4096;

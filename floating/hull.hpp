@@ -12,8 +12,8 @@
 //   pressure    -n S p, with p at rest and of waves at the depth of each vertex (water_kinematics.hpp);
 //               linear on each triangle, and integrated exactly over triangles cut at the waterline
 //               (J. Kerner, "Water interaction model for boats in video games", Gamasutra 2015).
-//               Triangles are divided until none extends farther along an axis, below the waterline at
-//               rest, than a tenth of the hull's length, or 4096 vertices sample the water.
+//               Triangles are divided until no edge that reaches below the waterline at rest extends
+//               farther along an axis than a tenth of the hull's length, or 4096 vertices sample the water.
 //   added mass  A (a_w - du/dt), with u velocity and rotation, a_w the rate of change of the
 //               water's velocity at the moving hull (J. N. Newman, Marine Hydrodynamics, MIT Press
 //               1977, chapters 4 and 7): its mean over the displaced water, which follows from the
@@ -252,8 +252,8 @@ class Hull {
     /// Returns the XXH3 of mesh, mass and coefficients. Hulls of equal digests move
     /// bit-identically.
     std::uint64_t digest() const;
-    /// Returns how far edges between points that sample the water extend along an axis, below the waterline at rest:
-    /// at most a tenth of the hull's length, unless the mesh would have more than 4,096 points.
+    /// Returns how far edges that reach below the waterline at rest extend along an axis between points that sample
+    /// the water: at most a tenth of the hull's length, unless the mesh would have more than 4,096 points.
     double longest_edge_m() const { return longest_edge_m_; }
     /// Returns the world position of the mesh's origin, to draw it.
     glm::dvec3 mesh_origin_m(const HullState& state) const;
