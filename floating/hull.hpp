@@ -150,8 +150,8 @@ struct HullLoads {
     double submersion = 0;  ///< displaced over floating volume, at most 1: scales added mass
     /// The plane through the water's surface at the hull: height at the centre of mass, and slopes.
     double water_height_m = 0, water_slope_x = 0, water_slope_z = 0;
-    glm::dvec3 water_velocity_mps{};    ///< mean under the hull
-    glm::dvec3 water_rotation_radps{};  ///< of the surface under the hull, about x and z
+    glm::dvec3 water_velocity_mps{};    ///< mean along the hull's bottom
+    glm::dvec3 water_rotation_radps{};  ///< of the water along the hull's bottom, about x and z
     glm::dvec3 water_acceleration_mps2{};  ///< what acts on the added mass
     HullMatrix mass{};       ///< of the hull, and its added mass now; axes of the hull
     HullMatrix stiffness{};  ///< -d pressure / d pose; axes of the hull
