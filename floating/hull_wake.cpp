@@ -73,7 +73,11 @@ class FourFootprints {
         const float column = columns_.at(lane, x, z), row = rows_.at(lane, x, z);
         const float last_column = columns_.last[0], last_row = rows_.last[0];
         if (!(column > -1 && row > -1 && column < last_column + 1 && row < last_row + 1)) return {};
-        const int i = static_cast<int>(column + 1) - 1, j = static_cast<int>(row + 1) - 1;
+        const auto floor_of = [](float number) {  // column + 1 could round up to the next cell
+            const int cut = static_cast<int>(number);
+            return cut - (static_cast<float>(cut) > number);
+        };
+        const int i = floor_of(column), j = floor_of(row);
         const float* const cells = depth_m_[lane] + j * row_cells_ + i;
         float a = 0, b = 0, c = 0, d = 0;
         if (i >= 0 && j >= 0 && column < last_column && row < last_row) [[likely]] {
