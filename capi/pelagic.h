@@ -418,7 +418,7 @@ typedef struct pelagic_ocean_options {
      * shorter than four texels are left out. */
     int32_t velocities;
     /* Nonzero adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade of a
-     * frame, and about two thirds more transforms. Waves of a pond do not decrease with depth and move no water. */
+     * frame, and about a quarter of its time. Waves of a pond do not decrease with depth and move no water. */
     int32_t depth;
     /* PELAGIC_TEXTURES_...; gradients of each cascade: normals, Jacobian and smoothness. By default a sea with
      * cascades 1 has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off. */

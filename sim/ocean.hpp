@@ -52,8 +52,8 @@ struct OceanOptions {
     /// transforms more; waves shorter than four texels are left out.
     Velocities velocities = Velocities::none;
     /// Adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade
-    /// of a frame, and about two thirds more transforms. Waves of a pond do not decrease with depth
-    /// and move no water.
+    /// of a frame, and about a quarter of its time. Waves of a pond do not decrease with depth and
+    /// move no water.
     bool depth = false;
     /// Gradients of each cascade: normals, Jacobian and smoothness. By default a sea with cascades
     /// 1 has them, and an ocean whose slopes are off. Slopes and gradients cannot both be off.

@@ -9,7 +9,8 @@
 // (water_levels.hpp): with cubic interpolation of the surface within 3 % of a wave's amplitude for the
 // pressure of waves from 8 texels on, and for velocities from 16; accelerations within 10 %. Pressure is 0
 // on the surface that is queried, but for dynamic waves: these, and the waves of a shore and of a pond, do
-// not decrease with depth. Those of a pond move no water.
+// not decrease with depth. Those of a pond move no water. Velocities have a mean besides the waves, without which water
+// that follows them would not drift as Stokes (1847) found (WaterLevels::drift_x_mps); ExactWater has none.
 #pragma once
 
 #include "pelagic/sim/frame.hpp"

@@ -141,18 +141,20 @@ TEST(HullWake, AHullAtRestKeepsItsDraught) {
 
 // Without thrust, in flat water.
 TEST(HullWake, AHullAtRestStaysWhereItIs) {
-    if (is_sanitized) GTEST_SKIP() << "takes minutes; the tests above run the same code";
     struct Run {
         DriftingHull kind;
         int ticks_per_s;
         double seconds;
     };
     for (const Run& run : {Run{DriftingHull::boat, 60, 120}, Run{DriftingHull::spar, 30, 60}}) {
+        // Under a sanitizer only the spar, whose middles of cells come to lie beside texels within 5 s.
+        if (is_sanitized && run.kind != DriftingHull::spar) continue;
         FlatWater water(run.kind, run.ticks_per_s);
-        while (water.time_s() < run.seconds) water.advance();
+        while (water.time_s() < (is_sanitized ? 6 : run.seconds)) water.advance();
         // A hand moves a boat faster. Night.HullDrift tests more hulls, for ten minutes.
         EXPECT_LT(water.speed_mps(), 0.002) << water.hull.mass_kg() << " kg";
         EXPECT_LT(std::fabs(water.heading_degrees()), 1) << water.hull.mass_kg() << " kg";
+        if (is_sanitized) continue;  // it still heaves
         EXPECT_LT(glm::length(water.state().position_m - water.hull.at_rest(0, 0).position_m), 0.05);
     }
 }

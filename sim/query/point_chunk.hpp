@@ -24,6 +24,11 @@ inline std::int64_t floor_of(double x) {
     return cut - (static_cast<double>(cut) > x);
 }
 
+inline std::int32_t floor_of(float x) {
+    const auto cut = static_cast<std::int32_t>(x);
+    return cut - (static_cast<float>(cut) > x);
+}
+
 /// A reference point along a cascade's axes: a texel, which may be outside the cascade, and a position in [0, 1]
 /// from it to the next.
 struct ReferenceCell {

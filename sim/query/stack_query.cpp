@@ -130,11 +130,7 @@ ReferenceCell StackQuery::reference_cell(std::size_t cascade, const PointChunk& 
     const float x = chunk.offset_x[point], z = chunk.offset_z[point];
     // as the kernels do
     const float u = world.u[point] + (along * x + across * z), v = world.v[point] + (along * z - across * x);
-    const auto floor_of_float = [](float of) {
-        const auto cut = static_cast<std::int32_t>(of);
-        return cut - (static_cast<float>(cut) > of);
-    };
-    const std::int32_t column = floor_of_float(u), row = floor_of_float(v);
+    const std::int32_t column = floor_of(u), row = floor_of(v);
     return {world.cell_x[point] + column, world.cell_z[point] + row, u - static_cast<float>(column),
             v - static_cast<float>(row)};
 }

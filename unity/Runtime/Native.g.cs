@@ -820,7 +820,7 @@ namespace Pelagic
         public Velocities Velocities;
         /// <summary>
         /// True adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade of a
-        /// frame, and about two thirds more transforms. Waves of a pond do not decrease with depth and move no water.
+        /// frame, and about a quarter of its time. Waves of a pond do not decrease with depth and move no water.
         /// </summary>
         public bool Depth;
         /// <summary>

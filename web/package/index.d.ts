@@ -238,8 +238,8 @@ export interface OceanOptions extends SeaOptions {
   velocities?: boolean | 'none' | 'drawn' | 'water';
   /**
    * Adds pressure and velocity below the surface, which hulls need. 8 N^2 bytes for each cascade
-   * of a frame, and about two thirds more transforms. Waves of a pond do not decrease with depth
-   * and move no water. Default false.
+   * of a frame, and about a quarter of its time. Waves of a pond do not decrease with depth and
+   * move no water. Default false.
    */
   depth?: boolean;
   /**
