@@ -48,7 +48,7 @@ struct Case {
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
 /// Winds across both axes, so that a wrong sign or swapped axes cause a failure. Waves of peers have
-/// no lean.
+/// no lean and no level.
 std::vector<Case> cases() {
     return {
         {"N32", {.resolution = 32, .patch_size_m = 250, .wind_direction_rad = 2.5, .lean = 0}, 1.5},
@@ -97,6 +97,8 @@ class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
     }
 
     const Case& one() const { return std::get<Case>(GetParam()); }
+    /// Returns what our component has besides waves.
+    float level_of(int component) const { return component == component_height ? ours_.cascades[0].level_m : 0; }
     int resolution() const { return one().sea.resolution; }
     std::size_t texel(int i, int j) const { return static_cast<std::size_t>(j) * resolution() + i; }
 
@@ -145,7 +147,8 @@ TEST_P(PeerOf, PlanesMatchPelagics) {
         double error = 0;
         for (int j = 0; j < resolution(); ++j)
             for (int i = 0; i < resolution(); ++i)
-                error = std::max(error, std::fabs(static_cast<double>(plane_of(theirs_, component)[texel(i, j)]) -
+                error = std::max(error, std::fabs(static_cast<double>(plane_of(theirs_, component)[texel(i, j)] +
+                                                                      level_of(component)) -
                                                   plane_value(ours_, component, i, j)));
         EXPECT_LE(error, plane_tolerance * largest(component)) << "component " << component;
         RecordProperty("relative_error_of_" + std::to_string(component),
@@ -191,7 +194,8 @@ TEST_P(PeerOf, HalvesAreWithinOneStepOfPelagics) {
     for (std::size_t i = 0; i < theirs_.rgba16f.size(); ++i) {
         const float theirs = value_of_half(theirs_.rgba16f[i]);
         const float ours = value_of_half(ours_.cascades[0].displacement_rgba16f[i]);
-        ASSERT_NEAR(theirs, ours, std::max(step_of_half(theirs), step_of_half(ours)) + tolerance[i % 4])
+        ASSERT_NEAR(theirs + level_of(static_cast<int>(i % 4)), ours,
+                    std::max(step_of_half(theirs), step_of_half(ours)) + tolerance[i % 4])
             << "half " << i % 4 << " of texel " << i / 4;
     }
 }
