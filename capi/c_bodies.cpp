@@ -94,6 +94,10 @@ pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t n
     });
 }
 
+pelagic_status pelagic_bodies_shift(pelagic_bodies* bodies, double x_m, double z_m) {
+    return guarded([&] { needed_bodies(bodies).shift(x_m, z_m); });
+}
+
 pelagic_status pelagic_bodies_press(pelagic_bodies* bodies, double tick_s) {
     return guarded([&] {
         FloatingBodies& ours = needed_bodies(bodies);

@@ -73,6 +73,10 @@ pelagic_status pelagic_exact_water_set_time(pelagic_exact_water* water, double t
     return guarded([&] { needed(water, "water").water.set_time(time_s); });
 }
 
+pelagic_status pelagic_exact_water_set_origin(pelagic_exact_water* water, double x_m, double z_m) {
+    return guarded([&] { needed(water, "water").water.set_origin(x_m, z_m); });
+}
+
 pelagic_status pelagic_exact_water_sample(const pelagic_exact_water* water, const pelagic_water_points* points,
                                           const pelagic_water_samples* samples) {
     return guarded([&] {

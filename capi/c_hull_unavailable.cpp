@@ -53,6 +53,7 @@ pelagic_status pelagic_bodies_get_state(const pelagic_bodies*, uint32_t, pelagic
 pelagic_status pelagic_bodies_get_loads(const pelagic_bodies*, uint32_t, pelagic_hull_loads*) {
     return unavailable();
 }
+pelagic_status pelagic_bodies_shift(pelagic_bodies*, double, double) { return unavailable(); }
 pelagic_status pelagic_bodies_press(pelagic_bodies*, double) { return unavailable(); }
 pelagic_status pelagic_bodies_step(pelagic_bodies*, double, int32_t*) { return unavailable(); }
 pelagic_status pelagic_bodies_save_state(const pelagic_bodies*, uint8_t*, size_t, size_t*) { return unavailable(); }

@@ -391,6 +391,10 @@ pelagic_status pelagic_ocean_set_water_frame(pelagic_ocean* ocean, const pelagic
     });
 }
 
+pelagic_status pelagic_ocean_set_origin(pelagic_ocean* ocean, double x_m, double z_m) {
+    return guarded([&] { needed(ocean, "ocean").ocean.set_origin(x_m, z_m); });
+}
+
 pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s) {
     return guarded([&] { schedule_frame(needed(ocean, "ocean"), time_s); });
 }

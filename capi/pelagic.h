@@ -475,7 +475,8 @@ PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
 
 /* A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and commands of
  * dynamic waves use positions in the world. Frames, their hashes and views are in the water's frame, whose origin
- * lies at (current_x_mps t, sea_level_m, current_z_mps t) in the world. */
+ * lies at (current_x_mps t - origin x, sea_level_m, current_z_mps t - origin z) in the world, with the origin of
+ * pelagic_ocean_set_origin(). */
 /* generated from schema/water_frame.toml: c-struct */
 typedef struct pelagic_water_frame {
     uint32_t struct_size;
@@ -490,6 +491,12 @@ static inline pelagic_water_frame pelagic_water_frame_make(void) { PELAGIC_MAKE(
  * waves. All are 0 at first. The current has flowed since t = 0: to change it moves the sea by the change times t.
  * Errors: PELAGIC_INVALID_ARGUMENT for any value but 0 with pelagic_ocean_options.shore. */
 PELAGIC_API pelagic_status pelagic_ocean_set_water_frame(pelagic_ocean* ocean, const pelagic_water_frame* water);
+
+/* Shifts the world's origin to a position of the world as it was before any shift, each in [-1e8, 1e8]. It counts for
+ * frames that are scheduled from now on, for commands of dynamic waves and for spray; commands that wait keep their
+ * places. A position in the old coordinates plus the old origin minus the new one is that in the new ones:
+ * pelagic_bodies_shift() moves bodies. Textures, hashes and a shore's place stay. */
+PELAGIC_API pelagic_status pelagic_ocean_set_origin(pelagic_ocean* ocean, double x_m, double z_m);
 
 typedef struct pelagic_ocean_info {
     uint64_t memory_bytes; /* all memory of the ocean, two frames and the spectrum included */
@@ -1353,6 +1360,9 @@ PELAGIC_API void pelagic_exact_water_destroy(pelagic_exact_water* water);
 /* Moves the water to a time, which is finite. It takes about as long as a sample, and allocates nothing. */
 PELAGIC_API pelagic_status pelagic_exact_water_set_time(pelagic_exact_water* water, double time_s);
 
+/* Shifts the world's origin, as pelagic_ocean_set_origin(), for samples from now on. No other call may use the water. */
+PELAGIC_API pelagic_status pelagic_exact_water_set_origin(pelagic_exact_water* water, double x_m, double z_m);
+
 /* Samples the water at the points, of which only count, x, y, z and parallel are used.
  * Errors: PELAGIC_INVALID_ARGUMENT also for a point below the sea floor.
  * Threads: any, except during pelagic_exact_water_set_time(). */
@@ -1584,6 +1594,11 @@ PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_state(const pelagic_bodie
 /* Writes the loads of a body in the last step, all 0 before the first. */
 PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_get_loads(const pelagic_bodies* bodies, uint32_t number,
                                                              pelagic_hull_loads* loads);
+
+/* Moves all bodies and their wakes, after a shift of the world's origin (pelagic_ocean_set_origin) by (-x_m, -z_m).
+ * Call it when the first frame with the new origin is complete, before that frame's press and step.
+ * Errors: PELAGIC_INVALID_ARGUMENT if a body would be out of range; nothing is changed then. */
+PELAGIC_EXPERIMENTAL pelagic_status pelagic_bodies_shift(pelagic_bodies* bodies, double x_m, double z_m);
 
 /* Moves the pressures of wakes to the bodies. Does nothing without wakes. Call it once a frame, between
  * pelagic_ocean_complete() and pelagic_ocean_schedule().

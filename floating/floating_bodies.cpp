@@ -240,6 +240,20 @@ void FloatingBodies::set_inputs(std::uint32_t number, const HullInputs& inputs) 
     body.inputs.diffraction = nullptr;  // step() sets it
 }
 
+void FloatingBodies::shift(double x_m, double z_m) {
+    const auto moved = [&](HullState state) {
+        state.position_m += glm::dvec3(x_m, 0, z_m);
+        return state;
+    };
+    for (const Body& body : bodies_)
+        if (const std::string reason = Hull::check(moved(body.state)); !reason.empty())
+            throw std::invalid_argument("body " + std::to_string(body.number) + ": " + reason);
+    for (Body& body : bodies_) {
+        body.state = moved(body.state);
+        if (body.wake) body.wake->shift(x_m, z_m);
+    }
+}
+
 void FloatingBodies::press(const Frame& frame, double tick_s) {
     HullWake::check_tick(tick_s);
     if (!waves_) return;

@@ -70,6 +70,12 @@ class FloatingBodies {
     /// \throws std::invalid_argument  Hull::check(inputs)
     void set_inputs(std::uint32_t number, const HullInputs& inputs);
 
+    /// Moves all bodies and their wakes, after a shift of the world's origin (Ocean::set_origin()) by
+    /// (-x_m, -z_m). Call it when the first frame with the new origin is complete, before that frame's
+    /// press() and step().
+    /// \throws std::invalid_argument  if a body would be out of range; nothing is changed then
+    void shift(double x_m, double z_m);
+
     /// Moves the pressures of wakes to the bodies, as HullWake::press(). Does nothing without
     /// waves.
     /// \param tick_s  time since the last call

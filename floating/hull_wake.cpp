@@ -310,6 +310,14 @@ glm::dvec3 HullWake::middle_of_plan_m(const HullState& state) const {
     return glm::mat3_cast(state.orientation) * (glm::dvec3(plan_.x_m, 0, plan_.z_m) - hull_->centre_of_mass_m());
 }
 
+void HullWake::shift(double x_m, double z_m) {
+    for (glm::dvec3* const at : {&hull_m_, &pressure_m_}) *at += glm::dvec3(x_m, 0, z_m);
+    for (PressureFootprint* const footprint : {&next_, &acted_[0], &acted_[1], &acted_[2]}) {
+        footprint->x_m += x_m;
+        footprint->z_m += z_m;
+    }
+}
+
 void HullWake::check_tick(double tick_s) {
     if (!(tick_s >= 0 && std::isfinite(tick_s)))
         throw std::invalid_argument(invalid_value_message("tick_s", tick_s, "[0, inf) s"));

@@ -52,6 +52,9 @@ class HullWake {
     /// \throws std::invalid_argument  if tick_s is negative or not finite
     void press(const Frame& frame, const HullState& state, const HullLoads& loads, double tick_s);
 
+    /// Moves hull and pressure, after a shift of the world's origin: see FloatingBodies::shift().
+    void shift(double x_m, double z_m);
+
     /// Checks the time of a step. \throws std::invalid_argument  what press() throws
     static void check_tick(double tick_s);
 

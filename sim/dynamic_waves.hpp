@@ -158,6 +158,11 @@ class DynamicWaves {
     /// current of an ocean's waves. A saved state does not include it.
     /// \throws std::invalid_argument  if the current is out of range
     void set_current(double x_mps, double z_mps);
+    /// Shifts the world's origin, as Ocean::set_origin(), which sets that of an ocean's waves: for
+    /// commands from now on. Those that wait and the grid keep their places. A saved state does not
+    /// include it. x_m and z_m in [-1e8, 1e8].
+    /// \throws std::invalid_argument  if the origin is out of range
+    void set_origin(double x_m, double z_m);
     /// Sets the rain from the next tick on; 0 drops end it.
     /// \throws std::invalid_argument  check(rain, options()), unless it is empty
     void set_rain(const Rain& rain);

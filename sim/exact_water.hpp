@@ -64,6 +64,10 @@ class ExactWater final : public WaterKinematics {
     /// \pre no other thread uses this object
     /// \throws std::invalid_argument  if the time is not finite
     void set_time(double time_s);
+    /// Shifts the world's origin, as Ocean::set_origin(), for samples from now on.
+    /// \pre no other thread uses this object
+    /// \throws std::invalid_argument  out of range
+    void set_origin(double x_m, double z_m);
     /// Returns the water at another time. Both share the waves. Thread-safe.
     /// \throws std::invalid_argument  if the time is not finite
     ExactWater at(double time_s) const;
@@ -89,7 +93,7 @@ class ExactWater final : public WaterKinematics {
     struct Moment;
     struct Chunk;
 
-    explicit ExactWater(std::shared_ptr<const Waves> waves);
+    ExactWater(std::shared_ptr<const Waves> waves, const WaterFrame& water);
     bool has_sample(double x, double z) const;
     template <class Points>
     void load_positions(const Points& points, Chunk& chunk) const;

@@ -195,11 +195,20 @@ class Ocean {
 
     /// Sets the sea level and the current of frames that are scheduled from now on, and the current
     /// of the ocean's dynamic waves. Frame::water_frame has them; all else in a frame is unchanged.
-    /// The current has flowed since t = 0: to change it moves the sea by the change times t.
-    /// \throws std::invalid_argument  check(water), unless it is empty, or for a value other than 0
-    ///                                if the ocean has a shore
+    /// The current has flowed since t = 0: to change it moves the sea by the change times t. Keeps
+    /// the origin.
+    /// \throws std::invalid_argument  check(water), unless it is empty, or for a level or a current
+    ///                                other than 0 if the ocean has a shore
     void set_water_frame(const WaterFrame& water);
-    /// Returns the sea level and the current of the frame scheduled next.
+    /// Shifts the world's origin to a position of the world as it was before any shift, each in
+    /// [-1e8, 1e8]. It counts for frames that are scheduled from now on (Frame::water_frame), for
+    /// commands of dynamic waves and for spray; commands that wait keep their places. A position
+    /// in the old coordinates plus the old origin minus the new one is that in the new ones:
+    /// FloatingBodies::shift() moves bodies. Textures, hashes and a shore's place stay. Shifts by
+    /// multiples of a quarter of QuadtreeOptions::size_m keep the mesh of the sea.
+    /// \throws std::invalid_argument  out of range
+    void set_origin(double x_m, double z_m);
+    /// Returns the sea level, the current and the origin of the frame scheduled next.
     const WaterFrame& water_frame() const;
 
     /// Returns the dynamic waves of OceanOptions::dynamic_waves, which advance with the ocean's

@@ -117,6 +117,46 @@ TEST_F(CInterfaceBodies, OfASavedStateContinueBitEqualInAnotherOcean) {
     EXPECT_EQ(waves_hash(other_ocean), waves_hash(ocean));
 }
 
+TEST_F(CInterfaceBodies, AreShiftedWithTheOrigin) {
+    constexpr double to_x = 1e7, to_z = -2e6;
+    const COcean still_ocean = water(), ocean = water();
+    const CBodies still = bodies_of(still_ocean), bodies = bodies_of(ocean);
+    for (const CBodies* const of : {&still, &bodies}) push(*of, add(*of, launch, at_rest(launch, -4, 1, 0.2)), 2000);
+    const auto height = [](const COcean& of, double x, double z) {
+        float height_m = 0;
+        auto points = pelagic_points_make();
+        auto samples = pelagic_samples_make();
+        points.count = 1;
+        points.x = &x;
+        points.z = &z;
+        samples.height_m = &height_m;
+        EXPECT_EQ(pelagic_ocean_query(of.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
+        return height_m;
+    };
+    for (int tick = 0; tick < 30; ++tick) {
+        if (tick == 10) EXPECT_EQ(pelagic_ocean_set_origin(ocean.get(), to_x, to_z), PELAGIC_OK);
+        complete(ocean, tick * tick_s);
+        if (tick == 10) EXPECT_EQ(pelagic_bodies_shift(bodies.get(), -to_x, -to_z), PELAGIC_OK);
+        EXPECT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_OK);
+        EXPECT_EQ(pelagic_bodies_step(bodies.get(), tick_s, nullptr), PELAGIC_OK);
+        advance(still_ocean, still, tick);
+    }
+    EXPECT_EQ(hash_of(ocean.get()), hash_of(still_ocean.get()));
+    // doubles near 1e7 m are 2e-9 m apart
+    EXPECT_NEAR(height(ocean, 7 - to_x, -3 - to_z), height(still_ocean, 7, -3), 1e-5);
+    const pelagic_hull_state found = state_of(bodies, 1), expected = state_of(still, 1);
+    EXPECT_NEAR(found.position_m[0] + to_x, expected.position_m[0], 1e-6);
+    EXPECT_NEAR(found.position_m[1], expected.position_m[1], 1e-6);
+    EXPECT_NEAR(found.position_m[2] + to_z, expected.position_m[2], 1e-6);
+    expect_rejected(pelagic_ocean_set_origin(ocean.get(), 2e8, 0), "origin_x_m 200000000 is out of range [-1e8, 1e8]");
+    expect_rejected(pelagic_bodies_shift(bodies.get(), -1e8, 0),
+                    "body 1: the hull's position_m is out of range [-1e8, 1e8]");
+    EXPECT_EQ(state_of(bodies, 1).position_m[0], found.position_m[0]);
+    EXPECT_EQ(pelagic_exact_water_set_origin(nullptr, 0, 0), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_ocean_set_origin(nullptr, 0, 0), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_bodies_shift(nullptr, 0, 0), PELAGIC_INVALID_ARGUMENT);
+}
+
 TEST_F(CInterfaceBodies, DamagedAndForeignStatesAreRejectedAndChangeNothing) {
     const COcean ocean = water();
     const CBodies bodies = bodies_of(ocean);

@@ -9,6 +9,7 @@
 #include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/shores.hpp"
 
 namespace pelagic {
 namespace {
@@ -53,6 +54,31 @@ TEST(SceneBlock, PlacesAViewerInEachRotatedCascade) {
             EXPECT_NEAR(block.cascade_place[i].y, 0.5 + 0.5 / 64, 1e-5) << "cascade " << i;
         }
     }
+}
+
+// A shore and a floor keep their places in the water when the world's origin is shifted.
+TEST(SceneBlock, PlacesShoreAndFloorByTheOrigin) {
+    OceanOptions options{.executor = make_serial_executor()};
+    options.shore = bay();
+    Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 8}, options);
+    const gl::SeaFloor floor = gl::floor_of(bay());
+    DrawList list;
+    const auto block_at = [&](glm::dvec3 viewer_m) {
+        const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(3));
+        const gl::DrawInput input{.eyes = {}, .viewer_m = viewer_m, .list = &list};
+        gl::SceneBlock block = gl::scene_block_of(input, facts, {}, {});
+        gl::place_below(block, input, facts, floor, {});
+        return block;
+    };
+    const gl::SceneBlock before = block_at({20, 3, -30});
+    ocean.set_origin(1e7, -123'456);
+    const gl::SceneBlock after = block_at({20 - 1e7, 3, -30 + 123'456});
+    EXPECT_NE(before.shore_place.x, 0);
+    EXPECT_NE(before.floor_place.x, 0);
+    EXPECT_EQ(after.shore_place, before.shore_place);
+    EXPECT_EQ(after.floor_place, before.floor_place);
+    EXPECT_EQ(after.floor_size, before.floor_size);
+    EXPECT_EQ(after.floor_mesh, before.floor_mesh);
 }
 
 // The foam structure drifts with the foam maps. It moves by whole squares in a loop, as fast as

@@ -74,5 +74,40 @@ TEST(GlWaterFrame, ImageIsThatOfACameraInTheWatersFrame) {
     }
 }
 
+// The shift is a multiple of a quarter of the mesh's side, so that vertices stay. The floor moves with
+// the water.
+TEST(GlWaterFrame, ImageIsThatBeforeAShiftOfTheOrigin) {
+    GlScene scene({.resolution = 64,
+                   .width = 160,
+                   .height = 100,
+                   .shading = gl::Shading::medium,
+                   .foam = true,
+                   .lens_may_dip = true});
+    constexpr double time_s = 7;
+    const glm::dvec3 origin(1024 * 9766, 0, -1024 * 4883);  // 1e7 m
+    scene.renderer->set_floor(tide_beach({0, -20}, 0));
+    for (const double above_m : {6.0, -2.0}) {
+        const Camera before{.position_m = {10, above_m, -4}, .target_m = {60, above_m - 4, 40}};
+        Camera after = before;
+        for (glm::dvec3* const point : {&after.position_m, &after.target_m}) *point -= origin;
+        scene.ocean.set_origin(0, 0);
+        const std::vector<std::uint8_t> expected = scene.image(before, time_s);
+        scene.ocean.set_origin(origin.x, origin.z);
+        const std::vector<std::uint8_t> found = scene.image(after, time_s);
+        const std::vector<std::uint8_t> elsewhere = scene.image(before, time_s);
+        const auto different = [&](const std::vector<std::uint8_t>& image) {
+            std::size_t pixels = 0;
+            for (std::size_t i = 0; i < image.size(); i += 4)
+                pixels += std::abs(image[i] - expected[i]) > 2 || std::abs(image[i + 2] - expected[i + 2]) > 2;
+            return 4 * static_cast<double>(pixels) / static_cast<double>(image.size());
+        };
+        std::printf("%g m above: %.5f of the pixels differ, elsewhere %.3f\n", above_m, different(found),
+                    different(elsewhere));
+        // As above. A double of 1e7 m has steps of 2e-9 m, which a matrix multiplies.
+        EXPECT_LT(different(found), 0.002);
+        EXPECT_GT(different(elsewhere), 0.1);
+    }
+}
+
 }  // namespace
 }  // namespace pelagic

@@ -28,6 +28,12 @@ const MethodOf<HullNode> hull_method_list[] = {
      [](HullNode& hull, Arguments arguments) {
          return Value(hull.step(call(core::variant_as_real, arguments[0])));
      }},
+    {"shift",
+     {type_real, type_real},
+     "(x_m, z_m)",
+     [](HullNode& hull, Arguments arguments) {
+         return hull.shift(call(core::variant_as_real, arguments[0]), call(core::variant_as_real, arguments[1])), Value();
+     }},
     {"info", {}, "()", [](HullNode& hull, Arguments) { return Value(hull.info()->dictionary()); }},
     {"state", {}, "()", [](HullNode& hull, Arguments) { return Value(hull.state()->dictionary()); }},
     {"save_state", {}, "()", [](HullNode& hull, Arguments) { return save_state(hull); }},

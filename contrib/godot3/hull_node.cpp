@@ -277,6 +277,12 @@ bool HullNode::step(double seconds) {
     return is_all;
 }
 
+void HullNode::shift(double x_m, double z_m) {
+    if (!afloat_) return;
+    afloat_->shift(x_m, z_m);
+    place();
+}
+
 void HullNode::place() {
     const HullState& state = afloat_->state(number);
     const glm::dmat3 axes = glm::mat3_cast(state.orientation);

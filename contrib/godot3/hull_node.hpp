@@ -74,6 +74,9 @@ class HullNode final : public WakeMaker {
     /// Advances the hull, by at most 1 s, in the ocean's frame of time_s(), and moves the node.
     /// \returns whether the hull has advanced by all of the time
     bool step(double seconds);
+    /// Moves hull, wake and node, after OceanNode::set_origin() by (-x_m, -z_m). Does nothing if the hull
+    /// is not afloat.
+    void shift(double x_m, double z_m);
     /// Returns mass, volume and draught, and whether the hull floats.
     std::unique_ptr<Table> info();
     /// Returns position and velocities of the centre of mass, and what the water did in the last

@@ -96,6 +96,13 @@ const MethodOf<OceanNode> ocean_method_list[] = {
      [](OceanNode& node, std::span<Variant* const> arguments) {
          return value_of(node.sample_water(PoolElements<Vector3>(*arguments[0]).all()));
      }},
+    {"set_origin",
+     {type_real, type_real},
+     "(x_m, z_m)",
+     [](OceanNode& node, std::span<Variant* const> arguments) {
+         return node.set_origin(call(core::variant_as_real, arguments[0]), call(core::variant_as_real, arguments[1])),
+                Value();
+     }},
     {"first_hit",
      {type_vector3, type_vector3, type_real},
      "(origin, direction, reach_m)",

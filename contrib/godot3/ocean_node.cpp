@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pelagic/message/invalid_value_message.hpp"
+#include "pelagic/message/require.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/surface_ray.hpp"
@@ -25,6 +26,10 @@ bool is_server() {
     static const bool is =
         Method("_OS", "has_feature").on<bool>(call(core::global_get_singleton, "OS"), Text("Server").string());
     return is;
+}
+
+bool moves(const WaterFrame& water) {
+    return water.sea_level_m != 0 || water.current_x_mps != 0 || water.current_z_mps != 0;
 }
 
 Value vectors_of(const std::vector<float>(&components)[3]) {
@@ -82,10 +87,28 @@ void OceanNode::set_time(double time_s) {
 
 void OceanNode::set_water_frame(const WaterFrame& water) {
     if (water == water_frame_) return;
-    if (!settings_.shore.heights_m.empty() && water != WaterFrame{})
+    if (!settings_.shore.heights_m.empty() && moves(water))
         return reject("sea_level_m and current cannot be combined with shore_heights_m");
     water_frame_ = water;
     if (ocean_ && !is_stale_) ocean_->set_water_frame(water);
+}
+
+void OceanNode::set_origin(double x_m, double z_m) {
+    WaterFrame water = water_frame_;
+    water.origin_x_m = x_m;
+    water.origin_z_m = z_m;
+    require(check(water));
+    spray_center_.x += static_cast<float>(water_frame_.origin_x_m - x_m);
+    spray_center_.z += static_cast<float>(water_frame_.origin_z_m - z_m);
+    water_frame_ = water;
+    if (ocean_) ocean_->set_origin(x_m, z_m);
+    if (frame_) place(*frame_);
+}
+
+/// Gives a frame the node's origin, of which only its droplets depend.
+void OceanNode::place(Frame& frame) const {
+    frame.water_frame.origin_x_m = water_frame_.origin_x_m;
+    frame.water_frame.origin_z_m = water_frame_.origin_z_m;
 }
 
 void OceanNode::set_material(const Variant& material) {
@@ -99,7 +122,7 @@ std::string OceanNode::invalid_options(const SeaState& sea) const {
         if (const std::string reason = check(settings_.dynamic_waves_options); !reason.empty())
             return "dynamic_waves_" + reason;
     if (settings_.shore.heights_m.empty()) return {};
-    if (water_frame_ != WaterFrame{}) return "shore_heights_m cannot be combined with sea_level_m and current";
+    if (moves(water_frame_)) return "shore_heights_m cannot be combined with sea_level_m and current";
     if (const std::string reason = check(settings_.shore); !reason.empty()) return "shore_" + reason;
     return check(settings_.shore, sea);
 }
@@ -132,6 +155,7 @@ bool OceanNode::make_ocean() {
     ocean_.reset();
     ocean_ = std::make_unique<Ocean>(sea, std::move(options));
     ocean_->set_water_frame(water_frame_);
+    ocean_->set_origin(water_frame_.origin_x_m, water_frame_.origin_z_m);
     has_dynamic_waves_ = settings_.dynamic_waves;
     has_spray_ = settings_.spray;
     if (has_spray_) set_spray_center(spray_center_);
@@ -147,8 +171,11 @@ void OceanNode::start(double time_s) {
 
 /// Completes a frame in flight, which no call has used. Hulls have stepped in the frame before it.
 void OceanNode::move_wakes() {
-    const Frame* last = frame_ ? &*frame_ : nullptr;
-    if (in_flight_) last = &ocean_->complete();
+    std::optional<Frame> last = frame_;
+    if (in_flight_) {
+        last = ocean_->complete();
+        place(*last);
+    }
     if (!std::exchange(is_restored_, false) && last)
         for (WakeMaker* const wake : std::vector(wakes_)) wake->press(*last);  // which may leave
 }
@@ -164,6 +191,8 @@ const Frame* OceanNode::frame() {
         start(time_s_);
         in_flight_.reset();
         frame_ = ocean_->complete();
+        scheduled_ = frame_->water_frame;
+        place(*frame_);
         is_awaited_ = false;
     }
     return &*frame_;
@@ -251,12 +280,14 @@ void OceanNode::set_spray_center(const Vector3& place) {
 std::unique_ptr<Table> OceanNode::droplets() {
     if (!ocean_with_spray()) return {};
     const std::span<const SprayDroplet> all = frame()->droplets;
-    const auto vectors = [&](auto x, auto y, auto z) {
+    const double moved_x = scheduled_.origin_x_m - water_frame_.origin_x_m;
+    const double moved_z = scheduled_.origin_z_m - water_frame_.origin_z_m;
+    const auto vectors = [&](auto x, auto y, auto z, double to_x, double to_z) {
         Pool<Vector3> pool(all.size());
         pool.fill([&](std::span<Vector3> room) {
             for (std::size_t i = 0; i < all.size(); ++i)
-                room[i] = {static_cast<float>(all[i].*x), static_cast<float>(all[i].*y),
-                           static_cast<float>(all[i].*z)};
+                room[i] = {static_cast<float>(static_cast<double>(all[i].*x) + to_x), static_cast<float>(all[i].*y),
+                           static_cast<float>(static_cast<double>(all[i].*z) + to_z)};
         });
         return pool.value();
     };
@@ -268,9 +299,9 @@ std::unique_ptr<Table> OceanNode::droplets() {
         return pool.value();
     };
     auto answers = std::make_unique<Table>();
-    answers->set("position", vectors(&SprayDroplet::x_m, &SprayDroplet::y_m, &SprayDroplet::z_m));
+    answers->set("position", vectors(&SprayDroplet::x_m, &SprayDroplet::y_m, &SprayDroplet::z_m, moved_x, moved_z));
     answers->set("velocity", vectors(&SprayDroplet::velocity_x_mps, &SprayDroplet::velocity_y_mps,
-                                     &SprayDroplet::velocity_z_mps));
+                                     &SprayDroplet::velocity_z_mps, 0, 0));
     answers->set("radius", numbers(&SprayDroplet::radius_m));
     answers->set("opacity", numbers(&SprayDroplet::opacity));
     answers->set("age", numbers(&SprayDroplet::age_s));
@@ -330,9 +361,11 @@ std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
     if (settings_.velocities) answers->set("velocity", vectors_of(v));
     if (asked->shore) {
         Pool<float> depths(count);
+        const WaterFrame& water = asked->water_frame;
         depths.fill([&](std::span<float> room) {
             for (std::size_t i = 0; i < count; ++i)
-                room[i] = static_cast<float>(sample(asked->shore, x_[i], z_[i]).depth_m);
+                room[i] = static_cast<float>(
+                    sample(asked->shore, x_[i] + water.origin_x_m, z_[i] + water.origin_z_m).depth_m);
         });
         answers->set("depth", depths.value());
     }

@@ -66,6 +66,9 @@ class OceanNode {
     const WaterFrame& water_frame() const { return water_frame_; }
     /// Sets the sea level and the current from the next frame on.
     void set_water_frame(const WaterFrame& water);
+    /// Shifts the world's origin at once: also of the frame of time_s(). Hull nodes are shifted by
+    /// HullNode::shift(). \throws std::invalid_argument  out of range
+    void set_origin(double x_m, double z_m);
     void set_playing(bool playing) { is_playing_ = playing; }
     const Value& material() const { return *material_; }
     void set_material(const Variant& material);
@@ -130,6 +133,7 @@ class OceanNode {
     std::string invalid_options(const SeaState& sea) const;
     bool make_ocean();
     void start(double time_s);
+    void place(Frame& frame) const;
     void move_wakes();
     void end_wakes();
     void draw(const Frame& frame);
@@ -143,9 +147,10 @@ class OceanNode {
     bool has_spray_ = false;          ///< of the ocean
     Vector3 spray_center_{};
     double time_s_ = 0;
-    WaterFrame water_frame_;
+    WaterFrame water_frame_;  ///< with the origin
     bool is_playing_ = true;
-    std::optional<Frame> frame_;
+    std::optional<Frame> frame_;  ///< its droplets have the origin of its schedule
+    WaterFrame scheduled_;        ///< of frame_, as it was scheduled
     bool is_awaited_ = true;           ///< frame_ is older than time_s_
     std::optional<double> in_flight_;  ///< time of the scheduled frame
     std::vector<WakeMaker*> wakes_;

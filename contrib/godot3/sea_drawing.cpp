@@ -351,7 +351,7 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     set("spacing", Value(floats(1 / (options.lod_scale * options.vertices), grid.step_m, std::log2(resolution), 0)));
     set("roughness_between_texels", Value(frame.statistics.roughness));
     place_dynamic_waves(frame.dynamic_waves, in_water);
-    place_shore(frame.shore, viewer);
+    place_shore(frame.shore, viewer + glm::dvec2(frame.water_frame.origin_x_m, frame.water_frame.origin_z_m));
     set("cascades", Value(static_cast<std::int64_t>(frame.cascades.size())));
     set("foam_front", Value(floats(frame.statistics.foam_front_x, frame.statistics.foam_front_z, 0, 0)));
     set("foam_level", Value(frame.has_foam ? double{frame.foam.level} : SeaStatistics::no_foam_level));

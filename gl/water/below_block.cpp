@@ -74,7 +74,7 @@ glm::ivec2 floor_cells(const SeaFloor& floor) {
 void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const SeaFloor& floor,
                  const CausticFacts& caustics) {
     const glm::dvec3 viewer_m = input.viewer();
-    const glm::dvec2 viewer(viewer_m.x, viewer_m.z);
+    const glm::dvec2 viewer = sea.unshifted(viewer_m);  // as the floor
     // Queries cover the frame's waves but not small water, which is rendered as seen from the air
     // only.
     if (sea.surface == Surface::open) block.lens = lens_of(input);

@@ -291,8 +291,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);
     place_foam(block, facts, in_water);
-    if (facts.surface != Surface::open) place_small_water(block, facts, in_water, viewer);
-    if (facts.shore.columns > 0) place_shore(block, facts.shore, facts.shore_has_mips, viewer);
+    if (facts.surface != Surface::open) place_small_water(block, facts, in_water, facts.unshifted(viewer_m));
+    if (facts.shore.columns > 0) place_shore(block, facts.shore, facts.shore_has_mips, facts.unshifted(viewer_m));
     return block;
 }
 

@@ -115,6 +115,10 @@ struct SeaFacts {
         const WaterFrame::Origin origin = water_frame.origin_at(time_s);
         return {world_m.x - origin.x_m, world_m.z - origin.z_m};
     }
+    /// Returns x and z of a position in a world without a shift of its origin.
+    glm::dvec2 unshifted(const glm::dvec3& world_m) const {
+        return {world_m.x + water_frame.origin_x_m, world_m.z + water_frame.origin_z_m};
+    }
     const CascadeFacts& finest_cascade() const { return cascades.back(); }
     double texel_m(const CascadeFacts& cascade) const { return cascade.grid.side_m / resolution; }
 };

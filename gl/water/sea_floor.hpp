@@ -20,7 +20,8 @@ struct SeaFloor {
     /// columns * rows heights in the world, metres, [-11000, 9000]. Sample (i, j) is
     /// heights_m[j * columns + i].
     std::vector<float> heights_m = {};
-    glm::dvec2 corner_m{};  ///< world x and z of sample (0, 0)
+    /// World x and z of sample (0, 0). Ocean::set_origin() moves the floor with the water.
+    glm::dvec2 corner_m{};
     /// Distance between neighbouring samples, metres; [0.001, 10000]. Beyond its edges the floor
     /// keeps the height of the nearest edge.
     double metres_per_texel = 1;
@@ -30,7 +31,7 @@ struct SeaFloor {
 
     /// Returns whether the floor is a plane at the sea's depth.
     bool is_even() const { return columns == 0; }
-    /// Returns the height at a world position, bilinear between samples.
+    /// Returns the height at a position in a world without a shift, bilinear between samples.
     /// \pre the floor is a height field
     double height_at(double x_m, double z_m) const;
 };

@@ -77,6 +77,12 @@ class ExactWater:
         with self._turn:
             call(library.pelagic_exact_water_set_time, self._handle, time_s)
 
+    def set_origin(self, x_m: float, z_m: float) -> None:
+        """Shifts the world's origin, as Ocean.set_origin(), for samples from now on."""
+        x_m, z_m = number_of(x_m, "x_m"), number_of(z_m, "z_m")
+        with self._turn:
+            call(library.pelagic_exact_water_set_origin, self._handle, x_m, z_m)
+
     def sample(self, points: ArrayLike, *, footprint_m: float = 0.0) -> WaterSamples:
         """Returns the water at points of shape (..., 3), in the world: x, y and z, without waves
         shorter than the footprint. Raises ValueError for a point below the sea floor."""

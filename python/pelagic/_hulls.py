@@ -380,6 +380,12 @@ class Bodies:
                       water_slope=(loads.water_slope_x, loads.water_slope_z), water_velocity_mps=_triple(loads.water_velocity_mps))
         return result  # type: ignore[no-any-return]
 
+    def shift(self, x_m: float, z_m: float) -> None:
+        """Moves all bodies and their wakes, after a shift of the world's origin
+        (Ocean.set_origin()) by (-x_m, -z_m). Call it when the first frame with the new origin is
+        complete, before that frame's press() and step()."""
+        self._call(library.pelagic_bodies_shift, number_of(x_m, "x_m"), number_of(z_m, "z_m"))
+
     def press(self, frame: Frame, tick_s: float) -> None:
         """Moves the pressures of wakes to the bodies. Call it once a frame, between complete() and
         schedule(); tick_s is the time since the last call. Does nothing without wakes."""

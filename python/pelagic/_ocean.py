@@ -420,6 +420,16 @@ class Ocean:
             self._need_open()
             call(library.pelagic_ocean_set_water_frame, self._handle, water)
 
+    def set_origin(self, x_m: float, z_m: float) -> None:
+        """Shifts the world's origin to a position of the world as it was before any shift, each
+        [-1e8, 1e8]. It counts for frames that are scheduled from now on, for commands of dynamic waves
+        and for spray. A position in the old coordinates plus the old origin minus the new one is that
+        in the new ones: Bodies.shift() moves bodies."""
+        x_m, z_m = number_of(x_m, "x_m"), number_of(z_m, "z_m")
+        with self._turn:
+            self._need_open()
+            call(library.pelagic_ocean_set_origin, self._handle, x_m, z_m)
+
     def _need_spray(self, of: str = "ocean") -> None:
         if not self._has_spray:
             raise ValueError(f"the {of} has no spray: create the ocean with spray=pelagic.SprayOptions()")

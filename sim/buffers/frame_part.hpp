@@ -98,7 +98,7 @@ class FramePart {
     /// Returns the name of the option if the part exists for one sea in still water only, which
     /// therefore cannot change: "shore". Null otherwise.
     virtual const char* fixes_sea() const { return nullptr; }
-    /// Sets the sea level and the current of the next frames. \pre check(water) is empty
+    /// Sets the sea level, the current and the origin of the next frames. \pre check(water) is empty
     virtual void set_water_frame(const WaterFrame&) {}
 
     /// Returns the memory of the part, the object included.

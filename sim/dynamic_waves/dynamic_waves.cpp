@@ -29,6 +29,7 @@ constexpr double clock_slack = 0x1p-16;
 /// Beyond this, doubles cannot distinguish ticks.
 constexpr double farthest_tick = 0x1p50;
 constexpr double fastest_mps = 1000;  // of Disturbance
+constexpr double farthest_center_m = 1e8;  // in the world
 
 struct SavedClock {
     std::uint64_t checksum;  ///< XXH3 of all that follows
@@ -133,7 +134,7 @@ struct DynamicWaves::State {
     DoubleBuffer<Slot> slots;
     const DynamicWavesView* shown = &slots.back().view;  ///< of the frame completed last
     bool has_clock = false;
-    WaterFrame water_frame;      ///< with the current
+    WaterFrame water_frame;      ///< with current and origin
     double last_time_s = 0;      ///< of the last frame
     std::int64_t last_tick = 0;  ///< by the frames' time
     std::int64_t ticks_due = 0;
@@ -209,14 +210,31 @@ void DynamicWaves::remove_source(std::uint32_t number) {
 
 void DynamicWaves::set_center(double x_m, double z_m) {
     for (const double at : {x_m, z_m})
-        if (!(at >= -farthest_position_m && at <= farthest_position_m))
+        if (!(at >= -farthest_center_m && at <= farthest_center_m))
             throw std::invalid_argument(invalid_value_message("the centre", at, "[-1e8, 1e8]"));
     state_->commands.push_back({State::Command::Kind::set_center, 0, {.x_m = x_m, .z_m = z_m}});
 }
 
 void DynamicWaves::set_current(double x_mps, double z_mps) {
-    const WaterFrame water{.current_x_mps = x_mps, .current_z_mps = z_mps};
+    WaterFrame water = state_->water_frame;
+    water.current_x_mps = x_mps;
+    water.current_z_mps = z_mps;
     require(check(water));
+    state_->water_frame = water;
+}
+
+void DynamicWaves::set_origin(double x_m, double z_m) {
+    WaterFrame water = state_->water_frame;
+    water.origin_x_m = x_m;
+    water.origin_z_m = z_m;
+    require(check(water));
+    const double moved_x = state_->water_frame.origin_x_m - x_m, moved_z = state_->water_frame.origin_z_m - z_m;
+    const auto move = [&](auto& command) {
+        command.x_m += moved_x;
+        command.z_m += moved_z;
+    };
+    for (State::Command& command : state_->commands) move(command.disturbance);
+    for (std::size_t i = 0; i < state_->new_footprints; ++i) move(state_->footprints[i]);
     state_->water_frame = water;
 }
 

@@ -323,7 +323,7 @@ void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
     for (const std::int64_t first : {header.first_x, header.first_z})
         if (!(std::fabs(static_cast<double>(first)) <= max_texels))
             throw std::invalid_argument(
-                invalid_value_message("the saved state's first texel", first, "one within [-1e8, 1e8] m"));
+                invalid_value_message("the saved state's first texel", first, "one within [-1e9, 1e9] m"));
     if (header.ticks < 0 || header.ticks > max_grid_ticks)
         throw std::invalid_argument(invalid_value_message("the saved state's ticks", header.ticks, "[0, 2^50]"));
     const std::uint8_t* from = saved.data() + sizeof header;

@@ -10,8 +10,8 @@
 
 namespace pelagic {
 
-/// Largest coordinate of a Disturbance.
-inline constexpr double farthest_position_m = 1e8;
+/// Largest coordinate in the water: of a Disturbance, the world's origin and a current of some years.
+inline constexpr double farthest_position_m = 1e9;
 
 class GridPlacement {
    public:

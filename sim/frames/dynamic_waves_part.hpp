@@ -35,6 +35,7 @@ class DynamicWavesPart final : public FramePart {
     void drop() override { waves_.drop_frame(); }
     void set_water_frame(const WaterFrame& water) override {
         waves_.set_current(water.current_x_mps, water.current_z_mps);
+        waves_.set_origin(water.origin_x_m, water.origin_z_m);
     }
     std::size_t bytes() const override { return sizeof *this + waves_.memory_bytes(); }
 

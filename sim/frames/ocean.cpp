@@ -89,6 +89,11 @@ struct Ocean::State {
         return spray;
     }
 
+    void move_water(const WaterFrame& water) {
+        water_frame = water;
+        for (const auto& part : frames.parts()) part->set_water_frame(water);
+    }
+
     void begin_tick() {
         baker.ensure_resident(Pass::tick, frames.next_tick()->time_s);
         frames.begin_tick();
@@ -236,13 +241,23 @@ void Ocean::schedule_sea(const SeaChange& asked) {
 
 void Ocean::set_water_frame(const WaterFrame& water) {
     require(check(water));
-    const char* const moved = water.sea_level_m != 0 ? "sea_level_m" : "current_x_mps and current_z_mps";
+    const bool is_lifted = water.sea_level_m != 0, flows = water.current_x_mps != 0 || water.current_z_mps != 0;
+    const char* const moved = is_lifted ? "sea_level_m" : "current_x_mps and current_z_mps";
     for (const auto& part : state_->frames.parts())
-        if (const char* const name = part->fixes_sea(); name && !(water == WaterFrame{}))
+        if (const char* const name = part->fixes_sea(); name && (is_lifted || flows))
             throw std::invalid_argument("WaterFrame::" + std::string(moved) +
                                         " cannot be combined with OceanOptions::" + name);
-    state_->water_frame = water;
-    for (const auto& part : state_->frames.parts()) part->set_water_frame(water);
+    WaterFrame frame = water;
+    frame.origin_x_m = water_frame().origin_x_m;
+    frame.origin_z_m = water_frame().origin_z_m;
+    state_->move_water(frame);
+}
+void Ocean::set_origin(double x_m, double z_m) {
+    WaterFrame frame = water_frame();
+    frame.origin_x_m = x_m;
+    frame.origin_z_m = z_m;
+    require(check(frame));
+    state_->move_water(frame);
 }
 const WaterFrame& Ocean::water_frame() const { return state_->water_frame; }
 

@@ -37,7 +37,12 @@ class SprayPart final : public FramePart {
     const TicksDue* ticks() const override { return &ticks_.due(); }
     void forget() override { ticks_.forget(); }
     void before_change(const SeaChange& next) override { ticks_.before_change(next); }
-    void set_water_frame(const WaterFrame& water) override { next_.water = water; }
+    /// The centre stays in its place.
+    void set_water_frame(const WaterFrame& water) override {
+        next_.x_m += next_.water.origin_x_m - water.origin_x_m;
+        next_.z_m += next_.water.origin_z_m - water.origin_z_m;
+        next_.water = water;
+    }
     std::size_t bytes() const override;
 
    private:

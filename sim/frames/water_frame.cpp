@@ -15,9 +15,17 @@ constexpr NumericField<WaterFrame> water_frame_field_table[] = {
     // end of generated
 };
 
+constexpr NumericField<WaterFrame> origin_field_table[] = {
+    {"origin_x_m", &WaterFrame::origin_x_m, -1e8, 1e8, "[-1e8, 1e8]"},
+    {"origin_z_m", &WaterFrame::origin_z_m, -1e8, 1e8, "[-1e8, 1e8]"},
+};
+
 }  // namespace
 
 std::span<const NumericField<WaterFrame>> water_frame_fields() { return water_frame_field_table; }
-std::string check(const WaterFrame& water) { return check_fields(water, water_frame_field_table); }
+std::string check(const WaterFrame& water) {
+    const std::string reason = check_fields(water, water_frame_field_table);
+    return reason.empty() ? check_fields(water, origin_field_table) : reason;
+}
 
 }  // namespace pelagic

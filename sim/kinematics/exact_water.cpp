@@ -78,7 +78,6 @@ struct ExactWater::Waves {
     Waves(const SeaState& asked, const ExactWaterOptions& options)
         : kernels(kernels_for(choose_isa(options.isa))),
           density_kgpm3(options.water_density_kgpm3),
-          frame(options.water_frame),
           loop_period_s(asked.loop_period_s) {
         const SeaState sea = undisplaced(asked);
         const std::shared_ptr<Executor> executor = options.executor ? options.executor : make_serial_executor();
@@ -100,7 +99,6 @@ struct ExactWater::Waves {
 
     const Kernels& kernels;
     double density_kgpm3;
-    WaterFrame frame;
     double loop_period_s;
     double depth_m = 0;
     double texel_m = 0;  ///< of the finest cascade
@@ -108,10 +106,11 @@ struct ExactWater::Waves {
 };
 
 struct ExactWater::Moment {
-    explicit Moment(const Waves& waves) {
+    Moment(const Waves& waves, const WaterFrame& water) : frame(water) {
         for (const WaveList& cascade : waves.cascades) moved.emplace_back(cascade);
     }
     std::vector<WaveList::Moved> moved;  ///< of each cascade
+    WaterFrame frame;
     WaterFrame::Origin origin;
 };
 
@@ -148,12 +147,14 @@ ExactWater::ExactWater(const SeaState& sea, const ExactWaterOptions& options)
         throw std::invalid_argument(
             invalid_value_message("waves", name_of(sea.waves), "spectrum, analytic or regular"));
     waves_ = std::make_shared<const Waves>(sea, options);
-    moment_ = std::make_unique<Moment>(*waves_);
+    moment_ = std::make_unique<Moment>(*waves_, options.water_frame);
     set_time(0);
 }
 
-ExactWater::ExactWater(std::shared_ptr<const Waves> waves)
-    : WaterKinematics(waves->density_kgpm3, 0), waves_(std::move(waves)), moment_(std::make_unique<Moment>(*waves_)) {}
+ExactWater::ExactWater(std::shared_ptr<const Waves> waves, const WaterFrame& water)
+    : WaterKinematics(waves->density_kgpm3, 0),
+      waves_(std::move(waves)),
+      moment_(std::make_unique<Moment>(*waves_, water)) {}
 
 ExactWater::~ExactWater() = default;
 ExactWater::ExactWater(ExactWater&&) noexcept = default;
@@ -176,12 +177,21 @@ void ExactWater::set_time(double time_s) {
     const LoopFraction fraction = loop_fraction(time_s, waves_->loop_period_s);
     for (std::size_t cascade = 0; cascade < waves_->cascades.size(); ++cascade)
         waves_->kernels.move_waves(waves_->cascades[cascade].move_job(fraction.turns, moment_->moved[cascade]));
-    moment_->origin = waves_->frame.origin_at(time_s);
+    moment_->origin = moment_->frame.origin_at(time_s);
     time_s_ = time_s;
 }
 
+void ExactWater::set_origin(double x_m, double z_m) {
+    WaterFrame frame = moment_->frame;
+    frame.origin_x_m = x_m;
+    frame.origin_z_m = z_m;
+    require(pelagic::check(frame));
+    moment_->frame = frame;
+    moment_->origin = frame.origin_at(time_s_);
+}
+
 ExactWater ExactWater::at(double time_s) const {
-    ExactWater other(waves_);
+    ExactWater other(waves_, moment_->frame);
     other.set_time(time_s);
     return other;
 }
@@ -275,7 +285,7 @@ void ExactWater::sample(const WaterPoints& points, const WaterSamples& samples) 
         return false;
     }();
     const double floor_m = waves_->depth_m;
-    const WaterFrame& frame = waves_->frame;
+    const WaterFrame& frame = moment_->frame;
     const double footprint_m = points.whole_cascades ? 0 : points.footprint_m;
     Chunk chunk;
     for (; chunk.first < points.x.size(); chunk.first += chunk.count) {
@@ -321,7 +331,7 @@ void ExactWater::sample_surface(const SurfacePoints& points, const SurfaceSample
     using Job = SumWaterJob;
     const DefaultFloatEnvironment environment;
     check(points, samples);
-    const WaterFrame& frame = waves_->frame;
+    const WaterFrame& frame = moment_->frame;
     Chunk chunk;
     for (; chunk.first < points.x.size(); chunk.first += chunk.count) {
         chunk.count = std::min(Chunk::capacity, points.x.size() - chunk.first);

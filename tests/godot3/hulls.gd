@@ -51,6 +51,36 @@ func test_level():
 	say("level %.9f" % (size.y / 2 - hull.translation.y + 7))
 	ocean.free()
 
+# Of two boats with wakes in equal oceans, one is shifted. Prints how far it and the water are from the other.
+func test_origin():
+	var oceans = []
+	var hulls = []
+	for i in range(2):
+		ocean = made("ocean", given["origin_sea"])
+		root.add_child(ocean)
+		add_hull({"mesh": mesh_of(given["boat"]), "mass_kg": given["mass_kg"], "force_n": Vector3(900, 0, -250)}, pose_of(given["pose"]))
+		oceans.append(ocean)
+		hulls.append(hull)
+	var to = Vector3(2048, 0, -512)
+	for step in range(40):
+		for i in range(2):
+			oceans[i].time_s = step / 60.0
+			hulls[i].step(STEP_S)
+		if step == 20:
+			oceans[1].set_origin(to.x, to.z)
+			hulls[1].shift(-to.x, -to.z)
+			say("origin_at_once %.9f" % (oceans[1].height_at(Vector3(7, 0, 3) - to) - oceans[0].height_at(Vector3(7, 0, 3))))
+	say("origin_boat %.9f" % hulls[1].translation.distance_to(hulls[0].translation - to))
+	say("origin_went %.9f" % hulls[0].translation.distance_to(pose_of(given["pose"]).origin))
+	say("origin_water %.9f" % (oceans[1].height_at(Vector3(7, 0, 3) - to) - oceans[0].height_at(Vector3(7, 0, 3))))
+	say("origin_hash %s" % str(oceans[0].hash() == oceans[1].hash()))
+	refusals = []
+	say("origin_null %s" % str(ocean.set_origin(2e8, 0) == null))
+	say("origin_refused %s" % JSON.print(refusals))
+	refusals = []
+	for node in oceans:
+		node.free()
+
 func test_states():
 	ocean = made("ocean", given["sea"])
 	root.add_child(ocean)
@@ -210,6 +240,7 @@ func start_scene():
 func _initialize():
 	test_round_meshes()
 	test_level()
+	test_origin()
 	test_states()
 	test_refusals()
 	test_changes()

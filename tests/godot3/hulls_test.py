@@ -192,6 +192,8 @@ with tempfile.TemporaryDirectory() as folder:
     (work / "second").write_bytes(there.saved(second))
 
     given = {"still_sea": {"resolution": 32, "cascades": 1, "patch_size_m": 100, "wind_speed_mps": 0.01, "depth": True, "playing": False},
+             "origin_sea": {"cascades": 2, "resolution": 32, "wind_speed_mps": 12, "depth": True, "playing": False,
+                            "dynamic_waves": True, "dynamic_waves_resolution": 64, "dynamic_waves_border_m": 8},
              "sea": {"cascades": 2, "resolution": 32, "wind_speed_mps": 12, "depth": True, "playing": False},
              "box": box, "mass_of_box": mass_of_box, "boat": boat, "mass_kg": mass_kg, "centre_of_mass_m": centre_of_mass_m,
              "inertia_kgm2": inertia_kgm2, "force_n": force_n, "steps": steps, "refused": [wrong[:3] for wrong in refused],
@@ -207,6 +209,11 @@ with tempfile.TemporaryDirectory() as folder:
     assert single(says, "round") == "[]"
 
     assert abs(float(single(says, "level")) / (mass_of_box / 1025 / 8) - 1) < 0.005, says["level"]
+
+    # floats of 2 km are 1.2e-4 m apart
+    assert all(abs(float(single(says, f"origin_{of}"))) < 1e-3 for of in ("at_once", "boat", "water")), says
+    assert float(single(says, "origin_went")) > 0.1 and single(says, "origin_hash") == single(says, "origin_null") == "True"
+    assert json.loads(single(says, "origin_refused")) == ["origin_x_m 200000000 is out of range [-1e8, 1e8]"], says["origin_refused"]
 
     compared = 0
     poses = [words.split() for words in says["pose"]]

@@ -50,6 +50,40 @@ def test_a_rollback_replays_bit_equal():
         assert bodies.save_state() == once
 
 
+def test_bodies_and_queries_shift_with_the_origin():
+    hull, origin = pelagic.Hull(BOX, BOX_TRIANGLES, 3500), np.array([1e7, -2e6])
+    places = np.random.default_rng(1).uniform(-90, 90, (50, 2))
+    found = []
+    for shifts in (False, True):
+        with pelagic.Ocean(ROUGH, depth=True, dynamic_waves=GRID) as ocean:
+            bodies = pelagic.Bodies(ocean, wakes=True)
+            body = bodies.add(hull, hull.at_rest(-4, 1))
+            bodies.set_inputs(body, force_n=(2000, 0, 0))
+            for tick in range(30):
+                if shifts and tick == 10:
+                    ocean.set_origin(*origin)
+                frame = ocean.frame_at(tick * TICK_S)
+                if shifts and tick == 10:
+                    bodies.shift(*-origin)
+                bodies.press(frame, TICK_S)
+                bodies.step(frame, TICK_S)
+            shift = origin if shifts else np.zeros(2)
+            x, z = (places - shift).T
+            at = bodies.state(body).position_m
+            found.append((frame.hash, np.array(at) + (shift[0], 0, shift[1]), frame.query(x, z)["height"]))
+            with pytest.raises(ValueError, match=r"^origin_z_m -200000000 is out of range \[-1e8, 1e8\]$"):
+                ocean.set_origin(0, -2e8)
+            with pytest.raises(ValueError, match="^body 1: the hull's position_m is out of range"):
+                bodies.shift(3e8, 0)
+    (still_hash, still_body, still_heights), (shifted_hash, body, heights) = found
+    assert shifted_hash == still_hash
+    assert np.allclose(body, still_body, rtol=0, atol=1e-6) and np.allclose(heights, still_heights, rtol=0, atol=1e-5)
+    water = pelagic.ExactWater(ROUGH, time_s=2)
+    before = water.sample([3, -1, 5])["pressure"]
+    water.set_origin(*origin)
+    assert np.isclose(water.sample([3 - origin[0], -1, 5 - origin[1]])["pressure"], before, rtol=0, atol=0.1)
+
+
 def test_other_threads_run_during_steps():
     hull = pelagic.Hull(BOX, BOX_TRIANGLES, 3500)
     with pelagic.Ocean(ROUGH, depth=True) as ocean:

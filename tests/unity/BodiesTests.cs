@@ -91,6 +91,54 @@ public static class BodiesTests
         }
     }
 
+    private static float DepthAt(ExactWater water, double x, double y, double z)
+    {
+        var depth = new float[1];
+        water.Sample(new[] { x }, new[] { y }, new[] { z }, new WaterSamples { DepthM = depth });
+        return depth[0];
+    }
+
+    [Test]
+    public static void AreShiftedWithTheOrigin()
+    {
+        const double toX = 1e7, toZ = -2e6;
+        using (var still = Water())
+        using (var shifted = Water())
+        using (var stillBodies = new Bodies(still, true))
+        using (var bodies = new Bodies(shifted, true))
+        using (var hull = Box())
+        {
+            stillBodies.Add(hull, hull.AtRest(1, -2, 0.25));
+            var number = bodies.Add(hull, hull.AtRest(1, -2, 0.25));
+            for (var tick = 0; tick < 30; ++tick)
+            {
+                if (tick == 10) shifted.SetOrigin(toX, toZ);
+                shifted.Schedule(tick * tickS);
+                var frame = shifted.Complete();
+                if (tick == 10) bodies.Shift(-toX, -toZ);
+                Check.Equal(frame.OriginXM, tick < 10 ? 0 : toX, "origin");
+                Check.Equal(frame.OriginZM, tick < 10 ? 0 : toZ, "origin");
+                bodies.Press(tickS);
+                bodies.Step(tickS);
+                Advance(still, stillBodies, tick);
+            }
+            var difference = Math.Abs(shifted.HeightAt(7 - toX, -3 - toZ) - still.HeightAt(7, -3));
+            Check.True(difference <= 1e-5, "the height differs by " + difference + " m");
+            HullState expected = stillBodies.State(number), found = bodies.State(number);
+            difference = Math.Abs(found.PositionXM + toX - expected.PositionXM) + Math.Abs(found.PositionZM + toZ - expected.PositionZM);
+            Check.True(difference <= 1e-6, "the position differs by " + difference + " m");
+            Check.Throws<PelagicException>(() => shifted.SetOrigin(2e8, 0), "out of range");
+            Check.Throws<PelagicException>(() => bodies.Shift(3e8, 0), "out of range");
+        }
+        using (var water = new ExactWater(GoldenTests.SmallSea()))
+        {
+            double x = 3, y = -1, z = 5;
+            var before = DepthAt(water, x, y, z);
+            water.SetOrigin(toX, toZ);
+            Check.True(Math.Abs(DepthAt(water, x - toX, y, z - toZ) - before) <= 1e-5, "the depth of exact water");
+        }
+    }
+
     [Test]
     public static void AThousandStepsAllocateNothing()
     {

@@ -103,6 +103,26 @@ test('a sea level out of range is rejected', async () => {
   ocean.dispose();
 });
 
+test('queries agree before and after a shift of the origin', async () => {
+  const places = [[1.5, 0.25], [-7.25, 4], [60, 40.5], [-230.125, 77]], [toX, toZ] = [1e7, -2e6];
+  const moved = places.map(([x, z]) => [x - toX, z - toZ]);
+  const near = (found, expected) => found.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= 1e-5, `${value}, expected ${expected[i]}`));
+  const ocean = await createOcean({ ...smallSea, ...local, queries: true });
+  const before = ocean.frameAt(2), { hash } = before, heights = Array.from(before.query(places).height);
+  ocean.setOrigin(toX, toZ);
+  const after = ocean.frameAt(2);
+  assert.equal(after.hash, hash);
+  near(Array.from(after.query(moved).height), heights);
+  assert.throws(() => ocean.setOrigin(2e8, 0), { message: 'xM is 200000000, expected a number in [-1e8, 1e8]' });
+  assert.throws(() => ocean.setOrigin('here', 0), { message: 'xM is "here", expected a number in [-1e8, 1e8]' });
+  ocean.dispose();
+  const water = await createExactWater({ ...smallSea, threads: 1 });
+  const depths = Array.from(water.sample(places.map(([x, z]) => [x, -1, z])).depth);
+  water.setOrigin(toX, toZ);
+  near(Array.from(water.sample(moved.map(([x, z]) => [x, -1, z])).depth), depths);
+  water.dispose();
+});
+
 test('saved states need equal options and no frame in flight', async () => {
   const ocean = await createOcean({ ...smallSea, dynamicWaves: grid, ...local });
   const unlike = await createOcean({ ...smallSea, dynamicWaves: { ...grid, sideM: 48 }, ...local });

@@ -92,6 +92,16 @@ namespace Pelagic
         }
 
         /// <summary>
+        /// Moves all bodies and their wakes, after a shift of the world's origin (Ocean.SetOrigin()) by (-xM, -zM).
+        /// Call it when the first frame with the new origin is complete, before Press() and Step().
+        /// </summary>
+        public void Shift(double xM, double zM)
+        {
+            using (new Use(ocean.Handle))
+            using (var use = new Use(handle)) Errors.Check(Native.pelagic_bodies_shift(use.Pointer, xM, zM));
+        }
+
+        /// <summary>
         /// Moves the pressures of wakes to the bodies, once a frame between Complete() and Schedule() of the ocean.
         /// tickS: time since the last call. Frames may be any time apart. Does nothing without wakes.
         /// </summary>

@@ -50,6 +50,12 @@ namespace Pelagic
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_exact_water_set_time(use.Pointer, timeS));
         }
 
+        /// <summary>Shifts the world's origin, as Ocean.SetOrigin(), for samples from now on.</summary>
+        public void SetOrigin(double xM, double zM)
+        {
+            using (var use = new Use(handle)) Errors.Check(Native.pelagic_exact_water_set_origin(use.Pointer, xM, zM));
+        }
+
         /// <summary>
         /// Samples the water at points in the world, none of them below the sea floor, without waves shorter than the
         /// footprint.

@@ -46,6 +46,7 @@ namespace Pelagic
         internal readonly Native.pelagic_cascade[] Cascades = new Native.pelagic_cascade[4];
         internal Native.pelagic_shore_surface Shore;
         internal Native.pelagic_dynamic_waves_view Waves;
+        internal (double X, double Z) Origin;
 
         internal FrameSlot(Steps steps) : base(steps) { }
 
@@ -80,6 +81,9 @@ namespace Pelagic
         }
 
         public double TimeS => Slot.Frame.time_s;
+        /// <summary>The world's origin, as of Ocean.SetOrigin().</summary>
+        public double OriginXM => Slot.Origin.X;
+        public double OriginZM => Slot.Origin.Z;
         /// <summary>N, texels along a side of each cascade.</summary>
         public int Resolution => Slot.Frame.resolution;
         public int CascadeCount => Slot.Frame.cascade_count;

@@ -50,7 +50,7 @@ namespace Pelagic
                 first->cascade_count = cascades.Length == 1 ? 0 : (uint)cascades.Length;
                 Errors.Check(Native.pelagic_ocean_schedule_into(use.Pointer, timeS, first));
             }
-            ++steps.Count;
+            Scheduled();
         }
 
         /// <summary>Copies the frame completed last. One element for each cascade.</summary>

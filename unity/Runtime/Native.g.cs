@@ -436,7 +436,8 @@ namespace Pelagic
     /// <summary>
     /// A sea level, for instance of a tide, and a uniform current, which carries the water. Queries and commands of
     /// dynamic waves use positions in the world. Frames, their hashes and views are in the water's frame, whose origin
-    /// lies at (CurrentXMps t, SeaLevelM, CurrentZMps t) in the world.
+    /// lies at (CurrentXMps t - origin x, SeaLevelM, CurrentZMps t - origin z) in the world, with the origin of
+    /// pelagic_ocean_set_origin().
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct WaterFrame
@@ -1642,6 +1643,9 @@ namespace Pelagic
         internal static extern Status pelagic_ocean_set_water_frame(IntPtr ocean, WaterFrame* water);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_ocean_set_origin(IntPtr ocean, double x_m, double z_m);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_ocean_describe(IntPtr ocean, pelagic_ocean_info* info);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1792,6 +1796,9 @@ namespace Pelagic
         internal static extern Status pelagic_exact_water_set_time(IntPtr water, double time_s);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_exact_water_set_origin(IntPtr water, double x_m, double z_m);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_exact_water_sample(IntPtr water, pelagic_water_points* points, pelagic_water_samples* samples);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1838,6 +1845,9 @@ namespace Pelagic
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_bodies_get_loads(IntPtr bodies, uint number, HullLoads* loads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status pelagic_bodies_shift(IntPtr bodies, double x_m, double z_m);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status pelagic_bodies_press(IntPtr bodies, double tick_s);

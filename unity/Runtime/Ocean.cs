@@ -67,6 +67,7 @@ namespace Pelagic
         private readonly FrameSlot[] slots;
         private readonly IntPtr waves;
         private readonly bool hasShore;
+        private (double X, double Z) nextOrigin, scheduledOrigin;
         private readonly List<BodiesHandle> keptBodies = new List<BodiesHandle>();
         private long frames;
 
@@ -152,7 +153,25 @@ namespace Pelagic
         public void Schedule(double timeS)
         {
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_schedule(use.Pointer, timeS));
+            Scheduled();
+        }
+
+        private void Scheduled()
+        {
+            scheduledOrigin = nextOrigin;
             ++steps.Count;
+        }
+
+        /// <summary>
+        /// Shifts the world's origin to a position of the world as it was before any shift, each in [-1e8, 1e8]. It
+        /// counts for frames that are scheduled from now on, for commands of dynamic waves and for spray. A position
+        /// in the old coordinates plus the old origin minus the new one is that in the new ones: Bodies.Shift() moves
+        /// bodies. Textures, hashes and a shore's place stay.
+        /// </summary>
+        public void SetOrigin(double xM, double zM)
+        {
+            using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_set_origin(use.Pointer, xM, zM));
+            nextOrigin = (xM, zM);
         }
 
         /// <summary>True if Complete() would not wait for other threads.</summary>
@@ -178,6 +197,7 @@ namespace Pelagic
                 fixed (Native.pelagic_frame* frame = &slot.Frame)
                     CheckWithCallbacks(Native.pelagic_ocean_complete(use.Pointer, frame));
                 slot.Read(use.Pointer, waves, hasShore);
+                slot.Origin = scheduledOrigin;
                 slot.Begin(++frames);
                 return new Frame(slot);
             }

@@ -44,6 +44,15 @@ class ExactWaterBinding {
         });
     }
 
+    val set_origin(const val& x_m, const val& z_m) {
+        return answer_of([&] {
+            const auto is_origin = [](double number) { return std::fabs(number) <= 1e8; };
+            water_.set_origin(number_of("xM", x_m, is_origin, "a number in [-1e8, 1e8]"),
+                              number_of("zM", z_m, is_origin, "a number in [-1e8, 1e8]"));
+            return val::undefined();
+        });
+    }
+
     /// \param points     a Float64Array of x, y, z, x, y, z, ...
     /// \param footprint  a number of metres, or undefined
     val sample(const val& points, const val& footprint) {
@@ -91,6 +100,7 @@ EMSCRIPTEN_BINDINGS(exact_water) {
     emscripten::class_<ExactWaterBinding>("ExactWaterBinding")
         .smart_ptr<std::shared_ptr<ExactWaterBinding>>("ExactWaterBindingPointer")
         .function("setTime", &ExactWaterBinding::set_time)
+        .function("setOrigin", &ExactWaterBinding::set_origin)
         .function("sample", &ExactWaterBinding::sample)
         .function("sampleSurface", &ExactWaterBinding::sample_surface);
     emscripten::function("createExactWater", &create_exact_water);

@@ -413,6 +413,15 @@ class OceanBinding {
         });
     }
 
+    val set_origin(const val& x_m, const val& z_m) {
+        return answer_of([&] {
+            const auto is_origin = [](double number) { return std::fabs(number) <= 1e8; };
+            ocean_.set_origin(number_of("xM", x_m, is_origin, "a number in [-1e8, 1e8]"),
+                              number_of("zM", z_m, is_origin, "a number in [-1e8, 1e8]"));
+            return val::undefined();
+        });
+    }
+
     val schedule_sea(const val& options) {
         return answer_of([&] {
             ocean_.schedule_sea(sea_with(ocean_.sea(), options));
@@ -657,6 +666,7 @@ EMSCRIPTEN_BINDINGS(ocean) {
         .function("sampleWater", &OceanBinding::sample_water)
         .function("firstHit", &OceanBinding::first_hit)
         .function("setWaterFrame", &OceanBinding::set_water_frame)
+        .function("setOrigin", &OceanBinding::set_origin)
         .function("scheduleSea", &OceanBinding::schedule_sea)
         .function("seaIsReady", &OceanBinding::sea_is_ready)
         .function("completeSea", &OceanBinding::complete_sea)

@@ -20,6 +20,10 @@ export class ExactWater {
     valueOf(this.#open().setTime(timeS));
   }
 
+  setOrigin(xM, zM) {
+    valueOf(this.#open().setOrigin(xM, zM));
+  }
+
   sample(points, { footprintM } = {}) {
     return valueOf(this.#open().sample(flatWaterPoints(points), footprintM));
   }

@@ -586,6 +586,8 @@ export class ExactWater {
   private constructor();
   /** Moves the water to a time; 0 at first. */
   setTime(timeS: number): void;
+  /** Shifts the world's origin, as Ocean.setOrigin(), for samples from now on. */
+  setOrigin(xM: number, zM: number): void;
   /** Samples the water, without waves shorter than footprintM. Throws for a point below the sea floor. */
   sample(points: WaterPoints, options?: {footprintM?: number}): WaterSamples;
   /** Samples the surface. */
@@ -664,6 +666,13 @@ export class Ocean {
    * water. The other data of frames do not change. Throws if the ocean has a shore.
    */
   setWaterFrame(water: WaterFrame): void;
+
+  /**
+   * Shifts the world's origin to a position of the world as it was before any shift, each in [-1e8, 1e8]. It counts
+   * for frames that are scheduled from now on, for commands of dynamic waves and for spray. A position in the old
+   * coordinates plus the old origin minus the new one is that in the new ones.
+   */
+  setOrigin(xM: number, zM: number): void;
 
   /**
    * Sets the centre of the spray of crests, usually the camera. It takes effect at the next

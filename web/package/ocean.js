@@ -313,6 +313,10 @@ export class Ocean {
     valueOf(this.#open().setWaterFrame(water));
   }
 
+  setOrigin(xM, zM) {
+    valueOf(this.#open().setOrigin(xM, zM));
+  }
+
   setSprayCenter(xM, zM) {
     valueOf(this.#open().setSprayCenter(xM, zM));
   }

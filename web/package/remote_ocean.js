@@ -201,6 +201,10 @@ export class RemoteOcean {
     return this.#line.call('setWaterFrame', water);
   }
 
+  setOrigin(xM, zM) {
+    return this.#line.call('setOrigin', xM, zM);
+  }
+
   setSprayCenter(xM, zM) {
     return this.#line.call('setSprayCenter', xM, zM);
   }

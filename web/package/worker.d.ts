@@ -36,6 +36,7 @@ export class RemoteOcean {
   sampleWater(points: WaterPoints, options?: WaterOptions): Promise<WaterSamples>;
   firstHit(ray: Ray): Promise<Hit | null>;
   setWaterFrame(water: WaterFrame): Promise<void>;
+  setOrigin(xM: number, zM: number): Promise<void>;
   setSprayCenter(xM: number, zM: number): Promise<void>;
   emit(emitters: SprayEmitter[]): Promise<void>;
   saveSpray(): Promise<Uint8Array>;

@@ -81,6 +81,7 @@ const methods = {
   sampleWater: (number, points, options) => frameOf(number).sampleWater(points, options),
   firstHit: (number, ray) => frameOf(number).firstHit(ray),
   setWaterFrame: (water) => ocean.setWaterFrame(water),
+  setOrigin: (xM, zM) => ocean.setOrigin(xM, zM),
   changeSea: (options) => ocean.changeSea(options),
   turnInto: (options, when) => ocean.turnInto(options, when),
   sea: () => ocean.sea,

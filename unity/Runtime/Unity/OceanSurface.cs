@@ -83,7 +83,7 @@ namespace Pelagic.Unity
                 described = Source.Ocean;
             }
             var viewer = Camera.transform.position;
-            SetWaves(frame, viewer.x, -viewer.z);
+            SetWaves(frame, viewer.x + frame.OriginXM, frame.OriginZM - viewer.z);
             SetLight();
             Material.SetVector(viewerId, new Vector4(viewer.x, viewer.y, viewer.z, 0));
             Material.SetTexture(ripplesId, ripples);
