@@ -122,7 +122,7 @@ public static class BodiesTests
                 bodies.Step(tickS);
                 Advance(still, stillBodies, tick);
             }
-            var difference = Math.Abs(shifted.HeightAt(7 - toX, -3 - toZ) - still.HeightAt(7, -3));
+            double difference = Math.Abs(shifted.HeightAt(7 - toX, -3 - toZ) - still.HeightAt(7, -3));
             Check.True(difference <= 1e-5, "the height differs by " + difference + " m");
             HullState expected = stillBodies.State(number), found = bodies.State(number);
             difference = Math.Abs(found.PositionXM + toX - expected.PositionXM) + Math.Abs(found.PositionZM + toZ - expected.PositionZM);

@@ -48,6 +48,27 @@ public static class OceanSurfaceTests
     }
 
     [Test]
+    public static void TheSeaStaysInPlaceWhenTheOriginIsShifted()
+    {
+        using (var scene = new Scene())
+        {
+            var before = (Vector4[])scene.Vectors("_PelagicCascadePlace").Clone();
+            var ripples = scene.Vector("_PelagicDetailPlace");
+            scene.Behaviour.Ocean.SetOrigin(1024, -512);
+            scene.Surface.Camera.transform.position = new Vector3(viewer.x - 1024, viewer.y, viewer.z - 512);
+            // The first frame was scheduled before the shift.
+            BehaviourTests.Send(scene.Behaviour, "Update");
+            Check.Equal(scene.Behaviour.Frame.OriginXM, 0.0, "origin of the frame in flight");
+            BehaviourTests.Send(scene.Behaviour, "Update");
+            Check.Equal(scene.Behaviour.Frame.OriginXM, 1024.0, "origin");
+            BehaviourTests.Send(scene.Surface, "LateUpdate");
+            var after = scene.Vectors("_PelagicCascadePlace");
+            for (var i = 0; i < after.Length; ++i) Check.True(Math.Abs(after[i].x - before[i].x) + Math.Abs(after[i].y - before[i].y) < 1e-5, "place of cascade " + i);
+            Check.True(Math.Abs(scene.Vector("_PelagicDetailPlace").x - ripples.x) < 1e-5, "place of ripples");
+        }
+    }
+
+    [Test]
     public static void EachPatchIsDrawnOnceWithItsTriangles()
     {
         using (var scene = new Scene())
