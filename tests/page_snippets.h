@@ -1,6 +1,8 @@
 /* Names that C code blocks of pages use without declaring them, for page_snippets_test.py. */
 #include <pelagic/pelagic.h>
 
+extern pelagic_executor* executor;
+extern pelagic_ocean* ocean;
 extern void* engine;
 extern uint32_t engine_threads;
 int running(void);
