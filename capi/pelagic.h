@@ -1360,19 +1360,19 @@ PELAGIC_API void pelagic_exact_water_destroy(pelagic_exact_water* water);
 /* Moves the water to a time, which is finite. It takes about as long as a sample, and allocates nothing. */
 PELAGIC_API pelagic_status pelagic_exact_water_set_time(pelagic_exact_water* water, double time_s);
 
-/* Shifts the world's origin, as pelagic_ocean_set_origin(), for samples from now on. No other call may use the water. */
+/* Shifts the world's origin, as pelagic_ocean_set_origin(), for samples from now on. */
 PELAGIC_API pelagic_status pelagic_exact_water_set_origin(pelagic_exact_water* water, double x_m, double z_m);
 
 /* Samples the water at the points, of which only count, x, y, z and parallel are used.
  * Errors: PELAGIC_INVALID_ARGUMENT also for a point below the sea floor.
- * Threads: any, except during pelagic_exact_water_set_time(). */
+ * Threads: any, except during pelagic_exact_water_set_time() and pelagic_exact_water_set_origin(). */
 PELAGIC_API pelagic_status pelagic_exact_water_sample(const pelagic_exact_water* water,
                                                       const pelagic_water_points* points,
                                                       const pelagic_water_samples* samples);
 
 /* Samples the surface, which is not displaced: the Jacobian is 1, and the error 0.
  * points: only count, x, z and parallel are used. samples: without foam.
- * Threads: any, except during pelagic_exact_water_set_time(). */
+ * Threads: any, except during pelagic_exact_water_set_time() and pelagic_exact_water_set_origin(). */
 PELAGIC_API pelagic_status pelagic_exact_water_sample_surface(const pelagic_exact_water* water,
                                                               const pelagic_points* points,
                                                               const pelagic_samples* samples);

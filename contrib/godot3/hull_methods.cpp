@@ -32,7 +32,8 @@ const MethodOf<HullNode> hull_method_list[] = {
      {type_real, type_real},
      "(x_m, z_m)",
      [](HullNode& hull, Arguments arguments) {
-         return hull.shift(call(core::variant_as_real, arguments[0]), call(core::variant_as_real, arguments[1])), Value();
+         const double x_m = call(core::variant_as_real, arguments[0]), z_m = call(core::variant_as_real, arguments[1]);
+         return hull.shift(x_m, z_m), Value();
      }},
     {"info", {}, "()", [](HullNode& hull, Arguments) { return Value(hull.info()->dictionary()); }},
     {"state", {}, "()", [](HullNode& hull, Arguments) { return Value(hull.state()->dictionary()); }},
