@@ -96,6 +96,29 @@ public static class OceanFloatingTests
         }
     }
 
+    [Test]
+    public static void AHullKeepsItsPlaceWhenTheOriginIsShifted()
+    {
+        const double toX = 4096, toZ = -1024;
+        var places = new double[2, 2];
+        for (var shifts = 0; shifts < 2; ++shifts)
+        {
+            UnityEngine.Time.timeAsDouble = 2;
+            UnityEngine.Time.fixedDeltaTime = timeStepS;
+            var behaviour = new OceanBehaviour { Preset = "storm", Resolution = 32, Foam = false, Depth = true, DynamicWaves = true };
+            var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg, Force = new Vector3(1000, 0, 500) };
+            BehaviourTests.Send(behaviour, "OnEnable");
+            Play(behaviour, floating, 0.5, 0.02);
+            if (shifts == 1) behaviour.SetOrigin(toX, toZ);
+            Play(behaviour, floating, 0.5, 0.02);
+            places[shifts, 0] = floating.State.PositionXM + shifts * toX;
+            places[shifts, 1] = floating.State.PositionZM + shifts * toZ;
+            BehaviourTests.Send(floating, "OnDisable");
+            BehaviourTests.Send(behaviour, "OnDisable");
+        }
+        for (var axis = 0; axis < 2; ++axis) Check.True(Math.Abs(places[1, axis] - places[0, axis]) < 1e-6, "place");
+    }
+
     /// <summary>Height of the dynamic waves at the texel of a position.</summary>
     private static float WavesAt(OceanBehaviour behaviour, Vector3 position)
     {

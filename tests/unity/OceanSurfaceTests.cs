@@ -54,7 +54,7 @@ public static class OceanSurfaceTests
         {
             var before = (Vector4[])scene.Vectors("_PelagicCascadePlace").Clone();
             var ripples = scene.Vector("_PelagicDetailPlace");
-            scene.Behaviour.Ocean.SetOrigin(1024, -512);
+            scene.Behaviour.SetOrigin(1024, -512);
             scene.Surface.Camera.transform.position = new Vector3(viewer.x - 1024, viewer.y, viewer.z - 512);
             // The first frame was scheduled before the shift.
             BehaviourTests.Send(scene.Behaviour, "Update");

@@ -35,6 +35,7 @@ namespace Pelagic.Unity
 
         // An array of this length, because Unity fixes the length of a shader's array at the first call.
         private readonly Vector4[] cascades = new Vector4[MaxCascades];
+        private (double X, double Z)? origin;  // of the next frames
         private readonly ulong[] versions = new ulong[FoamCascades * SnapshotImages];
 
         /// <summary>Null while the component is disabled.</summary>
@@ -53,6 +54,15 @@ namespace Pelagic.Unity
         /// <summary>Between frames of Ocean, after Complete() and before Schedule().</summary>
         public event System.Action BetweenFrames;
 
+        /// <summary>
+        /// Shifts the origin to a position of the sea, as Ocean.SetOrigin(), in the next Update(), after BetweenFrames. Move
+        /// the scene and the camera when Frame.OriginXM or OriginZM changes. OceanFloating moves by itself.
+        /// </summary>
+        public void SetOrigin(double xM, double zM)
+        {
+            origin = (xM, zM);
+        }
+
         /// <summary>Height of the water at a position of the scene.</summary>
         public float HeightAt(Vector3 position)
         {
@@ -67,6 +77,7 @@ namespace Pelagic.Unity
             var options = new OceanOptions { Queries = true, Velocities = Velocities ? Pelagic.Velocities.Drawn : Pelagic.Velocities.None, Depth = Depth, Slopes = Textures.On, Foam = Foam };
             if (DynamicWaves) options.DynamicWaves = DynamicWavesOptions.Default;
             Ocean = new Ocean(sea, options);
+            SetOrigin();
             var info = Ocean.Info;
             Displacement = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBAHalf, false);
             Slopes = ArrayOf(info.Resolution, info.CascadeCount, TextureFormat.RGBA32, true);
@@ -76,11 +87,17 @@ namespace Pelagic.Unity
             Ocean.Schedule(Time.timeAsDouble);
         }
 
+        private void SetOrigin()
+        {
+            if (origin != null) Ocean.SetOrigin(origin.Value.X, origin.Value.Z);
+        }
+
         private void Update()
         {
             Frame = Ocean.Complete();
             HasFrame = true;
             BetweenFrames?.Invoke();
+            SetOrigin();
             Ocean.Schedule(Time.timeAsDouble);
             for (var i = 0; i < Frame.CascadeCount; ++i)
             {

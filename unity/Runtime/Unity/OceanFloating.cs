@@ -5,7 +5,7 @@ namespace Pelagic.Unity
     /// <summary>
     /// Moves its transform as a hull that floats in the water of an OceanBehaviour with Depth. Each FixedUpdate()
     /// advances the hull by Time.fixedDeltaTime in the frame completed last. In an ocean with DynamicWaves it
-    /// makes a wake.
+    /// makes a wake. Where that frame has another origin than the one before, the hull moves to its place.
     ///
     /// The bow points along the transform's z axis. A component that moves a Rigidbody must not be on the same object.
     /// </summary>
@@ -27,6 +27,7 @@ namespace Pelagic.Unity
         private Bodies bodies;
         private Ocean water;
         private uint number;
+        private double originXM, originZM;
 
         /// <summary>The hull in the sea's axes, whose z axis is -z of the scene. Valid after the first step.</summary>
         public HullState State { get; private set; }
@@ -35,6 +36,7 @@ namespace Pelagic.Unity
         {
             if (Ocean == null || !Ocean.HasFrame) return;
             if (water != Ocean.Ocean) Launch();
+            FollowOrigin();
             bodies.SetInputs(number, new HullInputs { Force = new HullForce { ForceXN = Force.x, ForceYN = Force.y, ForceZN = -Force.z } });
             bodies.Step(Time.fixedDeltaTime);
             State = bodies.State(number);
@@ -45,9 +47,18 @@ namespace Pelagic.Unity
         /// <summary>Moves the wake's pressure along the steps since the last frame.</summary>
         private void Press()
         {
+            FollowOrigin();
             if (unpressedS == 0) return;  // as in the frames of a new ocean before the hull is launched in it
             bodies.Press(unpressedS);
             unpressedS = 0;
+        }
+
+        private void FollowOrigin()
+        {
+            var frame = Ocean.Frame;
+            if (frame.OriginXM == originXM && frame.OriginZM == originZM) return;
+            bodies.Shift(originXM - frame.OriginXM, originZM - frame.OriginZM);
+            (originXM, originZM) = (frame.OriginXM, frame.OriginZM);
         }
 
         private void OnDisable()
@@ -76,6 +87,7 @@ namespace Pelagic.Unity
             number = bodies.Add(hull, hull.AtRest(transform.position.x + cosine * info.CentreOfMassXM - sine * info.CentreOfMassZM,
                                                   -transform.position.z + sine * info.CentreOfMassXM + cosine * info.CentreOfMassZM, heading));
             water = Ocean.Ocean;
+            (originXM, originZM) = (Ocean.Frame.OriginXM, Ocean.Frame.OriginZM);
             unpressedS = 0;
             if (!hasWake) return;
             pressed = Ocean;
