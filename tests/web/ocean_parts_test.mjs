@@ -108,18 +108,18 @@ test('queries agree before and after a shift of the origin', async () => {
   const moved = places.map(([x, z]) => [x - toX, z - toZ]);
   const near = (found, expected) => found.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= 1e-5, `${value}, expected ${expected[i]}`));
   const ocean = await createOcean({ ...smallSea, ...local, queries: true });
-  const before = ocean.frameAt(2), { hash } = before, heights = Array.from(before.query(places).height);
+  const before = ocean.frameAt(2), { hash } = before, heights = Array.from(before.query(places).heightM);
   ocean.setOrigin(toX, toZ);
   const after = ocean.frameAt(2);
   assert.equal(after.hash, hash);
-  near(Array.from(after.query(moved).height), heights);
+  near(Array.from(after.query(moved).heightM), heights);
   assert.throws(() => ocean.setOrigin(2e8, 0), { message: 'xM is 200000000, expected a number in [-1e8, 1e8]' });
   assert.throws(() => ocean.setOrigin('here', 0), { message: 'xM is "here", expected a number in [-1e8, 1e8]' });
   ocean.dispose();
   const water = await createExactWater({ ...smallSea, threads: 1 });
-  const depths = Array.from(water.sample(places.map(([x, z]) => [x, -1, z])).depth);
+  const depths = Array.from(water.sample(places.map(([x, z]) => [x, -1, z])).depthM);
   water.setOrigin(toX, toZ);
-  near(Array.from(water.sample(moved.map(([x, z]) => [x, -1, z])).depth), depths);
+  near(Array.from(water.sample(moved.map(([x, z]) => [x, -1, z])).depthM), depths);
   water.dispose();
 });
 
