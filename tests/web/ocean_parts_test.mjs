@@ -107,15 +107,18 @@ test('queries agree before and after a shift of the origin', async () => {
   const places = [[1.5, 0.25], [-7.25, 4], [60, 40.5], [-230.125, 77]], [toX, toZ] = [1e7, -2e6];
   const moved = places.map(([x, z]) => [x - toX, z - toZ]);
   const near = (found, expected) => found.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= 1e-5, `${value}, expected ${expected[i]}`));
-  const ocean = await createOcean({ ...smallSea, ...local, queries: true });
-  const before = ocean.frameAt(2), { hash } = before, heights = Array.from(before.query(places).heightM);
-  ocean.setOrigin(toX, toZ);
-  const after = ocean.frameAt(2);
-  assert.equal(after.hash, hash);
-  near(Array.from(after.query(moved).heightM), heights);
-  assert.throws(() => ocean.setOrigin(2e8, 0), { message: 'xM is 200000000, expected a number in [-1e8, 1e8]' });
-  assert.throws(() => ocean.setOrigin('here', 0), { message: 'xM is "here", expected a number in [-1e8, 1e8]' });
-  ocean.dispose();
+  for (const create of [createOcean, remote.createOcean]) {
+    const ocean = await create({ ...smallSea, ...local, queries: true });
+    const before = await ocean.frameAt(2), hash = await before.hash(), heights = Array.from((await before.query(places)).heightM);
+    await ocean.setOrigin(toX, toZ);
+    const after = await ocean.frameAt(2);
+    assert.equal(await after.hash(), hash);
+    near(Array.from((await after.query(moved)).heightM), heights);
+    const rejected = { message: 'xM is 200000000, expected a number in [-1e8, 1e8]' };
+    await assert.rejects(async () => await ocean.setOrigin(2e8, 0), rejected);
+    await assert.rejects(async () => await ocean.setOrigin('here', 0), { message: 'xM is "here", expected a number in [-1e8, 1e8]' });
+    await ocean.dispose();
+  }
   const water = await createExactWater({ ...smallSea, threads: 1 });
   const depths = Array.from(water.sample(places.map(([x, z]) => [x, -1, z])).depthM);
   water.setOrigin(toX, toZ);
