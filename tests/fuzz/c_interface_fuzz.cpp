@@ -458,6 +458,8 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
             water.current_x_mps = bytes.number();
             water.current_z_mps = bytes.number();
             must_be_a_status(pelagic_ocean_set_water_frame(ocean, &water));
+            const double x_m = bytes.number(), z_m = bytes.number();
+            must_be_a_status(pelagic_ocean_set_origin(ocean, x_m, z_m));
             break;
         }
         default: pelagic_ocean_destroy(ocean); ocean = any_ocean(bytes);
