@@ -134,9 +134,13 @@ TEST_F(CInterfaceBodies, AreShiftedWithTheOrigin) {
         return height_m;
     };
     for (int tick = 0; tick < 30; ++tick) {
-        if (tick == 10) EXPECT_EQ(pelagic_ocean_set_origin(ocean.get(), to_x, to_z), PELAGIC_OK);
+        if (tick == 10) {
+            EXPECT_EQ(pelagic_ocean_set_origin(ocean.get(), to_x, to_z), PELAGIC_OK);
+        }
         complete(ocean, tick * tick_s);
-        if (tick == 10) EXPECT_EQ(pelagic_bodies_shift(bodies.get(), -to_x, -to_z), PELAGIC_OK);
+        if (tick == 10) {
+            EXPECT_EQ(pelagic_bodies_shift(bodies.get(), -to_x, -to_z), PELAGIC_OK);
+        }
         EXPECT_EQ(pelagic_bodies_press(bodies.get(), tick_s), PELAGIC_OK);
         EXPECT_EQ(pelagic_bodies_step(bodies.get(), tick_s, nullptr), PELAGIC_OK);
         advance(still_ocean, still, tick);
