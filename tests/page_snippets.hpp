@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "pelagic/analytic/analytic_surface.hpp"
@@ -48,7 +50,7 @@ extern double t, now_s, time_s, real_s, saved_s, speed, tick_s, x, z;
 extern int tick, width, height;
 extern bool paused;
 extern std::vector<std::uint8_t> waves, boats, drops;
-extern std::vector<std::uint64_t> uploaded;
+extern std::array<std::array<std::uint64_t, SnapshotFoam::images>, 4> uploaded;
 
 void engine_parallel_for(void* user, std::size_t count, void (*job)(void* work, std::size_t index), void* work);
 void engine_run_soon(void* user, void (*task)(void* work), void* work);
