@@ -348,6 +348,31 @@ TEST(Origin, AShiftedBodyWithAWakeFollowsTheSamePath) {
               same_within);
 }
 
+// A rollback across a shift, as docs/integrations/engine.md has it.
+TEST(Origin, ASaveIsRestoredWithItsOrigin) {
+    constexpr int saved_tick = 20;
+    ShiftedBoat boat;
+    const auto run = [&] {
+        for (int tick = 0; tick < 20; ++tick) boat.advance(tick == 5);
+        return hash_of(boat.ocean.complete().dynamic_waves);
+    };
+    for (int tick = 0; tick < saved_tick; ++tick) boat.advance(false);
+    boat.ocean.complete();
+    const auto waves = boat.ocean.dynamic_waves().save_state(), boats = boat.bodies.save_state();
+    const std::uint64_t expected = run();
+    const glm::dvec3 place_m = boat.place_m();
+    EXPECT_EQ(boat.origin.x_m, shifted_origins[0].x_m);
+
+    boat.ocean.set_origin(0, 0);
+    boat.ocean.dynamic_waves().restore_state(waves);
+    boat.bodies.restore_state(boats);
+    boat.ocean.frame_at(saved_tick / 60.0);
+    boat.origin = {0, 0};
+    boat.tick = saved_tick;
+    EXPECT_EQ(run(), expected);
+    EXPECT_EQ(boat.place_m(), place_m);
+}
+
 TEST(Origin, ABodyThatWouldBeOutOfRangeStays) {
     ShiftedBoat boat;
     const glm::dvec3 before = boat.place_m();
