@@ -64,8 +64,8 @@ struct ShoreSample {
 };
 
 /// Samples the shore of a frame at a position in the water's frame (water_frame.hpp), interpolated as
-/// ShoreSurface describes; slopes are the derivatives of the height. Returns weights of 1 and zeros otherwise if x_m or z_m is not finite.
-/// Thread-safe.
+/// ShoreSurface describes; slopes are the derivatives of the height. Returns weights of 1 and zeros
+/// otherwise if x_m or z_m is not finite. Thread-safe.
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m);
 
 /// Returns ShoreSample::weights without the cost of the other fields. Thread-safe.
