@@ -122,7 +122,6 @@ void draw_voyage(const char* name) {
     const gl::Sky& sky = baker.complete();
     pass.renderer().set_sky(sky);
     gl::Boat model(functions);
-    model.set_light(sky);
 
     const Camera camera{.position_m = {56, 9, 44}, .target_m = {78, 0, 10}, .vertical_view_rad = 0.85};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, width, height});
@@ -131,6 +130,7 @@ void draw_voyage(const char* name) {
     pass.upload(frame);
     const glm::dmat4 pose = boat_on(frame, course);
     const float exposure = gl::exposure_of_ev(13.4f, sky.luminance_of_unit());
+    model.set_light(sky, pass.renderer().sunlit_at({pose[3].x, pose[3].z}));
     model.draw(eye, pose, exposure);
     pass.draw({.eyes = {&eye, 1},
                .exposure = exposure,

@@ -12,7 +12,7 @@
 namespace pelagic::gl {
 
 /// Number of texture units that the sea's shaders use, from unit 0.
-inline constexpr int texture_units = 16;
+inline constexpr int texture_units = 17;
 
 /// Saves GL state on construction and restores it on destruction, except for framebuffer bindings
 /// (GlTargetsGuard). \pre the context is current during both

@@ -68,9 +68,10 @@ class GlCrest : public testing::Test {
         glm::vec3 flat, crest;  ///< upwelling() and through_crests()
     };
     /// \param slope  of the surface towards +x, in the plane of sun and eye
-    Light light(gl::SceneBlock block, float slope, float eye_deg, float height_m) {
+    /// \param lip  1 where the crest is about to break
+    Light light(gl::SceneBlock block, float slope, float eye_deg, float height_m, float lip = 0) {
         // Members that the two functions do not use carry the arguments.
-        block.grid = {slope, radians_of(eye_deg), height_m, 0};
+        block.grid = {slope, radians_of(eye_deg), height_m, lip};
         const std::vector<float> rgba = probe_.ask(block);
         // Halves lose digits of small numbers, so the probe multiplies by 256.
         const auto pixel = [&](std::size_t x) {
@@ -85,7 +86,7 @@ class GlCrest : public testing::Test {
         {"mirror.glsl", "water_light.glsl", "water.glsl"},
         "    vec3 normal = normalize(vec3(-grid.x, 1.0, 0.0)), to_eye = vec3(cos(grid.y), sin(grid.y), 0.0);\n"
         "    vec3 light = gl_FragCoord.x < 64.0 ? upwelling(normal, to_eye)\n"
-        "                                       : through_crests(normal, to_eye, grid.z);\n"
+        "                                       : through_crests(normal, to_eye, grid.z, grid.w);\n"
         "    result = vec4(256.0 * light, 1.0);"};
 };
 
@@ -136,6 +137,18 @@ TEST_F(GlCrest, AddsNothingToAFlatSeaAndToFacesThatFaceTheSun) {
             for (const float slope : {0.f, 0.3f})
                 EXPECT_EQ(light(crest_block(sun_deg, 2, 10), slope, eye_deg, 0.5f).crest, glm::vec3(0))
                     << sun_deg << ", " << eye_deg << ", " << slope;
+}
+
+// The traced waves are round. In the top fifth of a wave that is about to break, the lip is thin and
+// full of bubbles: it passes at least twice the light of half its height, a requirement.
+TEST_F(GlCrest, LipPassesTwiceTheLightOfHalfItsHeight) {
+    for (const float amplitude_m : {0.5f, 1.5f, 4.f})
+        for (const float sun_deg : {5.f, 10.f, 20.f, 40.f}) {
+            const gl::SceneBlock block = crest_block(sun_deg, 4 * amplitude_m / std::numbers::sqrt2_v<float>, 1);
+            const glm::vec3 lip = light(block, slope_at(0.9f), 10, 0.9f * amplitude_m, 1).crest;
+            const glm::vec3 half = light(block, slope_at(0.5f), 10, 0.5f * amplitude_m, 0).crest;
+            EXPECT_GE(lip.g, 2 * half.g) << amplitude_m << " m, sun " << sun_deg;
+        }
 }
 
 TEST_F(GlCrest, IsProportionalToTheGain) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <memory>
@@ -171,6 +172,85 @@ TEST_F(SkyBake, OvercastIsOpaqueAndHasStructure) {
     }
 }
 
+gl::SkyOptions with_clouds(float elevation_deg, float azimuth_deg) {
+    gl::SkyOptions options = clear_sky(elevation_deg);
+    options.sun_azimuth_rad = azimuth_deg * 0.0174533f;
+    options.cloud_cover = 0.4f;
+    return options;
+}
+
+// The sea below the eye is in the shadow of the cloud that hides the sun: the map's value there is
+// the clouds' transmittance in the sun's direction, in a cube that is baked from the same place. A
+// texel of the cube is 2.8 degrees wide, so edges of clouds differ. Independent values would differ
+// by 0.5 on average, because half of these suns shine.
+TEST_F(SkyBake, MapHasTheShadowsOfTheCloudsInTheSky) {
+    const gl::Cube directions(sky_side);
+    double difference = 0;
+    int shaded = 0, suns = 0;
+    for (const float elevation_deg : {12.f, 30.f, 55.f})
+        for (float azimuth_deg = 0; azimuth_deg < 360; azimuth_deg += 40) {
+            const gl::Sky& sky = bake(with_clouds(elevation_deg, azimuth_deg));
+            float seen = 0, nearest = -1;
+            for (int face = 0; face < 6; ++face)
+                for (int y = 0; y < sky_side; ++y)
+                    for (int x = 0; x < sky_side; ++x)
+                        if (const float cosine = glm::dot(directions.direction(face, x, y), sky.sun_direction);
+                            cosine > nearest) {
+                            nearest = cosine;
+                            seen = transmittance(sky, face, x, y);
+                        }
+            const float sunlit = sky.cloud_shadows.at({0, 0}) * sky.brightest_transmittance;
+            difference += std::abs(static_cast<double>(sunlit - seen));
+            shaded += sunlit < 0.5f;
+            ++suns;
+        }
+    std::printf("%d of %d suns are hidden, mean difference %.3f\n", shaded, suns, difference / suns);
+    EXPECT_LT(difference / suns, 0.15);
+    EXPECT_GT(shaded, suns / 5);
+    EXPECT_LT(shaded, suns * 4 / 5);
+}
+
+// The map tiles: its opposite borders differ no more than neighbours inside.
+TEST_F(SkyBake, MapOfShadowsIsPeriodic) {
+    const std::vector<std::uint8_t>& texels = bake(with_clouds(40, 20)).cloud_shadows.texels;
+    constexpr int side = gl::CloudShadows::side;
+    ASSERT_EQ(texels.size(), std::size_t{side} * side);
+    const auto step_at = [&](int column) {
+        double sum = 0;
+        for (int row = 0; row < side; ++row) {
+            const auto at = [&](int i) { return static_cast<double>(texels[static_cast<std::size_t>(row * side + i % side)]); };
+            sum += std::abs(at(column + 1) - at(column));
+        }
+        return sum / side;
+    };
+    double inside = 0;
+    for (int column = 0; column < side - 1; ++column) inside += step_at(column) / (side - 1);
+    EXPECT_GT(inside, 0.5);
+    EXPECT_LT(step_at(side - 1), 2 * inside);
+}
+
+// Within 3 km ahead, where the sun is ahead, some sea has more light from the sun than from the sky.
+// An overcast has none.
+TEST_F(SkyBake, SunOfThePresetsShinesOnTheSeaAhead) {
+    for (const gl::LightPreset& preset : gl::light_presets()) {
+        const gl::Sky& sky = bake(preset.sky);
+        const glm::dvec2 ahead = glm::normalize(glm::dvec2(sky.sun_direction.x, sky.sun_direction.z));
+        const glm::dvec2 aside(-ahead.y, ahead.x);
+        float brightest = 0;
+        for (double metres = 20; metres < 3000; metres *= 1.1)
+            for (const double slant : {-0.4, -0.2, 0.0, 0.2, 0.4})
+                brightest = std::max(brightest, sky.cloud_shadows.at(metres * (ahead + slant * aside)));
+        const float ratio = brightest * luminance(sky.sun_irradiance) / luminance(sky.sky_irradiance);
+        std::printf("%s: sun over sky %.2f, on the mean %.2f\n", std::string(preset.name).c_str(),
+                    static_cast<double>(ratio),
+                    static_cast<double>(ratio / std::max(brightest, 1e-6f) * sky.mean_sunlight));
+        if (preset.name == "overcast")
+            EXPECT_LT(ratio, 0.02f);
+        else
+            EXPECT_GE(ratio, 1) << preset.name;
+    }
+}
+
 // The water below the horizon reflects the sky above it, clouds included. Its reflectance does not
 // depend on the colour, is near 1 at the horizon and falls towards the nadir.
 TEST_F(SkyBake, LowerHalfReflectsTheCloudsAboveIt) {
@@ -220,10 +300,12 @@ TEST_F(SkyBake, BakesInTheBackgroundWhileASkyIsShown) {
 TEST_F(SkyBake, DoesNotDependOnTheNumberOfThreads) {
     const gl::SkyOptions options{.cloud_cover = 0.4f};
     const std::vector<std::uint16_t> expected = bake(options).texels;
+    const std::vector<std::uint8_t> shadows = bake(options).cloud_shadows.texels;
     for (const auto& executor : {make_serial_executor(), make_thread_executor(5)}) {
         gl::SkyBaker other(executor, sky_side);
         other.schedule(options);
         EXPECT_EQ(other.complete().texels, expected);
+        EXPECT_EQ(other.complete().cloud_shadows.texels, shadows);
     }
 }
 

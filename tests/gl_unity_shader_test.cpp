@@ -181,6 +181,7 @@ class Scene {
         const gl::Sky& sky = test_sky();
         block_ = gl::scene_block_of({.eyes = {&eye, 1}, .list = &list()}, facts,
                                     gl::water_optics(gl::default_jerlov_type), sky);
+        block_.cloud_place = {};  // Unity's light has no map of shadows
         // The C interface has no statistics of foam in pixels wider than its structure.
         block_.foam_filter = {};
         buffers_.upload(list().instances, list().skirt);
@@ -214,6 +215,7 @@ class Scene {
         gl_.UniformBlockBinding(program.name, gl_.GetUniformBlockIndex(program.name, "Scene"), 0);
         const std::array samplers = {"displacement", "slopes", "snapshots", "detail", "foam_structure", "sky"};
         for (int unit = 0; unit < 6; ++unit) program.set_unit(samplers[static_cast<std::size_t>(unit)], unit);
+        program.set_unit("cloud_shadows", 3);  // any: their weight is 0
         return image([&] { buffers_.draw_patches(list().batches, false); });
     }
 

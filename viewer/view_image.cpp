@@ -115,7 +115,7 @@ void ViewImage::apply_sky() {
     const gl::Sky& sky = baker_.complete();
     statistics_.sky_is_baking = false;
     pass_->renderer().set_sky(sky);
-    boat_.set_light(sky);
+    sky_ = &sky;
     luminance_of_unit_ = sky.luminance_of_unit();
     unmetered_ev_ = gl::ev_of_exposure(sky.exposure, luminance_of_unit_);
     ++changes_;
@@ -191,6 +191,7 @@ void ViewImage::draw_sea(const Frame& frame, ViewScene& scene, const Camera& cam
     gl::Exclusion dry;
     if (const std::optional<SteeredBoat>& boat = scene.boat()) {
         const glm::dmat4 pose = boat->world_from_boat();
+        boat_.set_light(*sky_, pass_->renderer().sunlit_at({pose[3].x, pose[3].z}));
         if (!settings_.wireframe) boat_.draw(eye, pose, exposure);
         if (!settings_.wireframe && reflects_boat) input.application_scene = boat_.image(eye, pose);
         dry = {.position_m = boat->hull().mesh_origin_m(boat->state()), .orientation = boat->state().orientation};

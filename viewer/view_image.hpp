@@ -61,6 +61,7 @@ class ViewImage {
     std::optional<gl::RenderTarget> wireframe_;
     CameraView view_;
     gl::SkyOptions shown_sky_;
+    const gl::Sky* sky_ = nullptr;  ///< of the pass
     float luminance_of_unit_ = 1, unmetered_ev_ = 15;  ///< values of the shown sky
     std::string quality_;                              ///< of the pass, as surface_
     gl::Surface surface_ = gl::Surface::open;

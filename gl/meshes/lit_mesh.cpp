@@ -43,9 +43,9 @@ LitMesh::LitMesh(const Functions& gl, std::span<const MeshVertex> vertices, std:
     light_ = Buffer(gl);
 }
 
-void LitMesh::set_light(const Sky& sky) {
+void LitMesh::set_light(const Sky& sky, float sunlit) {
     sun_direction_ = sky.sun_direction;
-    sun_irradiance_ = sky.sun_irradiance;
+    sun_irradiance_ = sunlit * sky.sun_irradiance;
     sky_irradiance_ = sky.sky_irradiance;
 }
 

@@ -29,7 +29,8 @@ class LitMesh {
     LitMesh(const Functions& gl, std::span<const MeshVertex> vertices, std::span<const std::uint16_t> indices,
             std::string_view fragment_file);
 
-    void set_light(const Sky& sky);
+    /// \param sunlit  SeaRenderer::sunlit_at() the place of the mesh
+    void set_light(const Sky& sky, float sunlit = 1);
     /// Draws linear radiance into the bound framebuffer, which needs a depth buffer.
     /// \param world_from_mesh  rotation and translation only
     /// \param weighing_exposure  the exposure if the sea is drawn with DrawInput::weighs_samples,

@@ -16,7 +16,7 @@ class Rock {
     /// \throws GlError if the driver rejects a shader
     Rock(const Functions& gl, glm::dvec3 foot_m);
 
-    void set_light(const Sky& sky) { mesh_.set_light(sky); }
+    void set_light(const Sky& sky, float sunlit = 1) { mesh_.set_light(sky, sunlit); }
     void draw(const Eye& eye, float weighing_exposure) { mesh_.draw(eye, world_from_rock_, weighing_exposure); }
     ApplicationScene image(const Eye& eye) { return mesh_.image(eye, world_from_rock_); }
 

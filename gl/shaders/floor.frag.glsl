@@ -9,6 +9,7 @@ precision highp int;
 #include "tone.glsl"
 
 in vec4 place;
+in float sunlit_vertex;
 out vec4 colour;
 
 const float pi = 3.14159265;
@@ -22,6 +23,7 @@ const float pi = 3.14159265;
 #include "haze.glsl"
 
 void main() {
+    sunlit = sunlit_vertex;
     vec3 from_eye = leading_ahead(place.xyz - eye[EYE].xyz);
     float distance_m = length(from_eye);
 #ifdef SURFACE_DATA

@@ -110,7 +110,7 @@ vec3 floor_light(vec3 at, float pixel_m) {
     albedo = mix(floor_albedo.rgb, albedo, floor_look.w);
 
     if (depth <= 0.0) {
-        vec3 light = albedo / pi * (sun_irradiance.rgb * max(dot(rippled, sun.xyz), 0.0) +
+        vec3 light = albedo / pi * (sunlight() * max(dot(rippled, sun.xyz), 0.0) +
                                     sky_irradiance.rgb * (0.5 + 0.5 * normal.y));
 #if defined(SHORE) && SHADING != HEADSET
         light = with_film_of_water(light, at, normal, wet);

@@ -11,6 +11,9 @@ precision highp int;
 uniform highp sampler2D floor_heights;
 
 out vec4 place;  // relative to the viewer
+out float sunlit_vertex;
+
+#include "clouds.glsl"
 
 invariant gl_Position;
 
@@ -26,6 +29,7 @@ void main() {
     if (index.y == cells.y + 2) at.y = max(at.y, far_m);
     float height = floor_look.x;
     if (floor_place.z > 0.0) height = textureLod(floor_heights, floor_place.xy + at * floor_place.zw, 0.0).x - viewer.w;
+    sunlit_vertex = sunlit_at(at, 0.0);
     place = vec4(at.x, height - viewer.z, at.y, 1.0);
     gl_Position = clip_from_viewer[EYE] * place;
 }

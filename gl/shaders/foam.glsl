@@ -154,7 +154,7 @@ vec3 light_of_plume(vec3 light_down) {
 // Adds foam to the radiance of a pixel of water.
 vec3 with_foam(vec3 radiance, Foam foam, vec3 normal, vec3 to_eye, float fresnel) {
     float height = max(sun.y, 0.0);
-    vec3 light_down = sun_irradiance.rgb * height + sky_irradiance.rgb;
+    vec3 light_down = sunlight() * height + sky_irradiance.rgb;
     vec3 plume = light_of_plume(light_down);
     radiance += plume * (0.6 * foam.plume * (1.0 - fresnel));
     if (foam.cover <= 0.0) return radiance;
@@ -167,12 +167,12 @@ vec3 with_foam(vec3 radiance, Foam foam, vec3 normal, vec3 to_eye, float fresnel
     float shadow = foam.hollow * foam.thickness;
     facing *= 1.0 - shadow * (1.0 - smoothstep(0.1, 0.9, height));
     float open = (0.5 + 0.5 * bumpy.y) * (1.0 - 0.35 * shadow);
-    vec3 light = sun_irradiance.rgb * facing + sky_irradiance.rgb * open;
+    vec3 light = sunlight() * facing + sky_irradiance.rgb * open;
 
     float albedo = foam_albedo(foam.thickness);
     // Wet bubbles reflect like rough water.
     float sheen = 0.5 * mean_fresnel(clamp(dot(bumpy, to_eye), 0.0, 1.0), 0.35);
-    vec3 mirrored = sky_irradiance.rgb / pi * sheen + sun_irradiance.rgb * (0.5 * glint(bumpy, to_eye, 0.1));
+    vec3 mirrored = sky_irradiance.rgb / pi * sheen + sunlight() * (0.5 * glint(bumpy, to_eye, 0.1));
     vec3 white = light * (albedo * (1.0 - sheen) / pi) + mirrored;
     vec3 below = plume * (1.0 - albedo) * (1.0 - albedo);
     return mix(radiance, white + below, foam.cover);

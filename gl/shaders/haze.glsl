@@ -27,7 +27,7 @@ vec3 through_haze(vec3 radiance, vec3 from_eye, float distance_m) {
     vec3 taken = air + (haze.rgb - rayleigh_per_m) * thinned(height, 1200.0);
     vec3 by_haze = 0.9 * (taken - air);
     float to_sun = dot(ray, sun.xyz);
-    vec3 source = (sun_irradiance.rgb * (air * rayleigh_phase(to_sun) + by_haze * haze_phase(to_sun)) +
+    vec3 source = (cloud_light.x * sun_irradiance.rgb * (air * rayleigh_phase(to_sun) + by_haze * haze_phase(to_sun)) +
                    sky_irradiance.rgb / (2.0 * pi) * (air + by_haze)) / taken;
     // At the horizon dense haze has the colour of the sky there, so that no line separates the two.
     // Further down the azimuth becomes undefined, and the sky's weight falls to 0. Its clouds must

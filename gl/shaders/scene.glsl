@@ -172,6 +172,11 @@ layout(std140) uniform Scene {
     // the viewer's position in the grid of glints; xy: metres within a square of 64 m; zw: index of
     // the square
     highp vec4 glint_place;
+    // xy: the viewer's position in the clouds' shadows; z: 1 / period; w: 1 if there are shadows
+    highp vec4 cloud_place;
+    // x: mean sunlight on the sea over sun_irradiance; y: 1 / transmittance of the clouds for
+    // sun_irradiance, 0 if they do not hide the sun
+    highp vec4 cloud_light;
 #ifdef EXCLUSIONS
     // axes of the boxes around the interiors of hulls: a position (x, y, z, 1) times the three of a
     // hull is in [0, 1] inside
@@ -180,6 +185,12 @@ layout(std140) uniform Scene {
     highp vec4 exclusion_map[8];
 #endif
 };
+
+// Fraction of sun_irradiance that the clouds let through, which main() sets.
+float sunlit = 1.0;
+
+// Returns the irradiance perpendicular to the sun's rays.
+vec3 sunlight() { return sunlit * sun_irradiance.rgb; }
 
 const float ripple_noise_tiles = 13.0;
 

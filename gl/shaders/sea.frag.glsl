@@ -22,8 +22,14 @@ precision highp int;
 #include "tone.glsl"
 
 in vec4 place;
-#ifndef SKIRT
+#ifdef SKIRT
+#include "clouds.glsl"
+#else
 in vec2 rest;
+in float sunlit_vertex;
+#if SURFACE == OPEN && VERTEX_CASCADES == 0
+in vec2 long_slopes;
+#endif
 #if VERTEX_CASCADES > 0
 in vec4 coarsest;
 #elif MESH_SLOPES
@@ -93,7 +99,14 @@ void main() {
 #ifdef SKIRT
     vec3 at = place_on_skirt();
     vec2 resting = at.xz;
+    sunlit = sunlit_at(resting, footprint_of(resting).wide_m);
 #else
+    sunlit = sunlit_vertex;
+#if VERTEX_CASCADES > 0
+    long_wave_normal = normalize(vec3(-coarsest.x, 1.0, -coarsest.y));
+#elif SURFACE == OPEN
+    long_wave_normal = normalize(vec3(-long_slopes.x, 1.0, -long_slopes.y));
+#endif
     vec3 at = place.xyz;
     vec2 resting = rest;
 #endif
@@ -148,7 +161,8 @@ void main() {
 #endif
 
     float mirrors = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
-    water_light += through_crests(normal, to_eye, height);
+    float lip = smoothstep(foam_kind.x - 1.2, foam_kind.x, surface.compression);
+    water_light += through_crests(normal, to_eye, height, lip);
     vec3 mirrored = mirrored_light(normal, to_eye, surface.alpha2, water_light);
 #ifdef MIRRORS_SCENE
     mirrored = with_mirrored_scene(mirrored, at, normal, to_eye, surface.alpha2, water_light);
@@ -159,7 +173,7 @@ void main() {
     float sun_glint = glint(normal, to_eye, surface.alpha2);
 #endif
     vec3 radiance = mix(water_light, mirrored, mirrors) +
-                    sun_irradiance.rgb * sun_glint;
+                    sunlight() * sun_glint;
     radiance = with_foam(radiance, foam, normal, to_eye, mirrors);
 #if BELOW
     radiance = soft_shore(radiance, at, distance_m, height, foam.cover);

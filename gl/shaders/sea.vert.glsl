@@ -18,13 +18,17 @@ uniform highp sampler2DArray displacement;  // Dx, height, Dz; one layer per cas
 #if VERTEX_CASCADES > 0
 uniform highp sampler2DArray slopes;  // the texture of waves.glsl
 out vec4 coarsest;                    // h_x, h_z, D_xx, D_zz of the coarsest cascade
-#elif MESH_SLOPES
+#elif SURFACE == OPEN
 uniform highp sampler2DArray slopes;
+out vec2 long_slopes;  // slopes of the coarsest cascade's waves of at least 12 m
+#if MESH_SLOPES
 out vec2 mesh_slopes;  // slopes of the height of the waves that the mesh resolves
+#endif
 #endif
 
 out vec4 place;  // relative to the viewer; w is 1 (0 at the horizon of the skirt)
 out vec2 rest;   // undisplaced position
+out float sunlit_vertex;
 flat out int patch_level;
 
 invariant gl_Position;
@@ -52,6 +56,7 @@ vec4 shore_weights_where_drawn(vec2 at, vec2 displacements[CASCADES]) {
 #ifdef DYNAMIC_WAVES
 #include "dynamic_waves.glsl"
 #endif
+#include "clouds.glsl"
 
 // Displacement of a vertex, and the slopes of dynamic waves.
 struct Moved {
@@ -150,6 +155,12 @@ void main() {
     vec4 texel = textureLod(slopes, vec3(place_in_cascade(0, rest), 0.0), mip) * (255.0 / 127.0) - 128.0 / 127.0;
     coarsest = texel * (cascade_slope[0].x * weight_of_cascade(0, mip));
 #endif
+#if VERTEX_CASCADES == 0 && SURFACE == OPEN
+    // The mip of texels of 4 m, which resolves waves of three texels.
+    float long_mip = max(log2(max(4.0, max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x)) * cascade_scale[0].x), 0.0);
+    vec2 long_texel = textureLod(slopes, vec3(place_in_cascade(0, rest), 0.0), long_mip).xy * (255.0 / 127.0) - 128.0 / 127.0;
+    long_slopes = long_texel * (cascade_slope[0].x * weight_of_cascade(0, long_mip));
+#endif
 #if MESH_SLOPES
     float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
     mesh_slopes = moved.slopes;
@@ -170,6 +181,7 @@ void main() {
     at = as_at_lens(at);
 #endif
     place = vec4(at, 1.0);
+    sunlit_vertex = sunlit_at(at.xz, 0.0);
     patch_level = int(level.x);
     gl_Position = clip_from_viewer[EYE] * place;
 }

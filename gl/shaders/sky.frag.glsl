@@ -10,6 +10,9 @@ precision highp int;
 #include "stars.glsl"
 
 in vec3 ray;
+#if BELOW
+flat in float sunlit_eye;
+#endif
 out vec4 colour;
 
 const float pi = 3.14159265;
@@ -41,6 +44,7 @@ float moon_shading(vec3 from_centre) {
 void main() {
     vec3 direction = normalize(ray);
 #if BELOW
+    sunlit = sunlit_eye;
     float above = lens_above_water(ray);
     if (above < 0.0) {
         // Rays that lead upwards hit the surface, except for rays that just miss it.
@@ -64,7 +68,8 @@ void main() {
     if (stars.x > 0.0)
         radiance += starlight(direction) * (risen * (1.0 - disc) * baked.a * exp(-0.25 / max(direction.y, 0.03)));
     float shading = moon.w > 0.0 ? moon_shading(from_centre) : sun_shading(off_centre);
-    radiance += sun_irradiance.rgb * (disc * shading / (3.14159265 * sun.w * sun.w)) * risen;
+    float clouds = cloud_light.y > 0.0 ? min(baked.a * cloud_light.y, 1.0) : 1.0;
+    radiance += sun_irradiance.rgb * (disc * shading / (3.14159265 * sun.w * sun.w)) * (risen * clouds);
     radiance = min(radiance, vec3(6e4));
 #if BELOW
     radiance = across_meniscus(radiance, above);

@@ -23,6 +23,7 @@ flat out float radius;
 
 const float pi = 3.14159265;
 #include "haze.glsl"
+#include "clouds.glsl"
 
 void main() {
     const float exposure_s = 1.0 / 40.0;
@@ -45,7 +46,8 @@ void main() {
 
     float to_sun = dot(ray, sun.xyz);
     // The sea reflects and scatters some of the skylight upwards.
-    vec3 scattered = sun_irradiance.rgb * (forward * haze_phase(to_sun) + (1.0 - forward) / (4.0 * pi)) +
+    sunlit = sunlit_at(place.xz, 0.0);
+    vec3 scattered = sunlight() * (forward * haze_phase(to_sun) + (1.0 - forward) / (4.0 * pi)) +
                      sky_irradiance.rgb * (0.55 / pi);
     radiance = through_haze(scattered, from_eye, distance_m);
 

@@ -95,7 +95,7 @@ vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, Foam fo
     vec3 closed = normalize(normal + along * ((facets.mirrors - cosine) / t));
     vec3 mirrored = seen_in_water(at, reflect(ray, closed), s);
     vec3 radiance = mix(mirrored, above, facets.transmitted) +
-                    sun_irradiance.rgb * min(sun_through(normal, to_eye, alpha2), 3e3);
+                    sunlight() * min(sun_through(normal, to_eye, alpha2), 3e3);
     vec3 through_foam = (1.0 - foam_albedo(foam.thickness)) / pi * (sunlight_below() + skylight_below());
     radiance = mix(radiance, through_foam, foam.cover * mix(0.5, 0.95, foam.thickness));
     return through_water(radiance, eye[EYE].xyz, ray, distance_m);

@@ -2,6 +2,9 @@
 // ocean"; Gordon et al. 1988, "A semianalytic radiance model of ocean color".
 float cosine_in_water(float cosine) { return sqrt(1.0 - (1.0 - cosine * cosine) / (water_index * water_index)); }
 
+// Normal of the long waves alone, which main() sets.
+vec3 long_wave_normal = vec3(0.0, 1.0, 0.0);
+
 // Returns the upwelling radiance above the surface, before the Fresnel transmittance is applied.
 //
 // Light of irradiance E on a level plane travels down with the cosine s in the water. Isotropic
@@ -9,11 +12,15 @@ float cosine_in_water(float cosine) { return sqrt(1.0 - (1.0 - cosine * cosine) 
 // instead of 0.5 includes multiple scattering. It gives 0.095 bb / (a + bb) of E straight down
 // under a sun of 40 degrees, as in Gordon et al. 1988. Refraction at the surface widens the rays
 // and divides radiance by the square of the index.
+//
+// Light comes back from metres below, so the sides of waves longer than about 12 m receive the
+// sunlight of their slope, and shorter waves that of the level sea.
 vec3 upwelling(vec3 normal, vec3 to_eye) {
     float seen = max(-refract(-to_eye, normal, 1.0 / water_index).y, 0.1);
     const float sky_in_water = 0.86;  // cosine in water for light of a uniform sky
     return 0.57 / (pi * water_index * water_index) * water_backscattering.rgb / attenuation_of_water() *
-           (sunlight_below() / (cosine_in_water(max(sun.y, 0.0)) + seen) + skylight_below() / (sky_in_water + seen));
+           (sunlight_into(long_wave_normal) / (cosine_in_water(max(sun.y, 0.0)) + seen) +
+            skylight_below() / (sky_in_water + seen));
 }
 
 // Returns the light of a face that is turned away from the sun, in excess of upwelling(), before
@@ -30,14 +37,16 @@ vec3 upwelling(vec3 normal, vec3 to_eye) {
 // Sunlight reaches the face from the level of the crest. Heights of crests have a Rayleigh
 // distribution, whose mean is 0.31 times the significant wave height.
 //
-// The constants of the path fit docs/images/reference/crest_light.csv.
-vec3 through_crests(vec3 normal, vec3 to_eye, float height) {
+// The constants of the path fit docs/images/reference/crest_light.csv. A lip that is about to break
+// (`lip`, 0 to 1) is thin and full of bubbles, which scatter 0.15 / m (light_of_plume()): light
+// crosses 0.8 m of it.
+vec3 through_crests(vec3 normal, vec3 to_eye, float height, float lip) {
     float away = clamp(6.0 * dot(normal.xz, crest_ray.xz), 0.0, 1.0);
     float narrow = max(1.0 + dot(refract(-to_eye, normal, 1.0 / water_index), crest_ray.xyz), 0.1);
     float scattered = max(0.27 * inversesqrt(narrow * narrow * narrow) - 0.18, 0.0);
     float depth = max(0.31 * waves.x - height, 0.0);
     vec3 k = attenuation_of_water();
     vec3 path = min(0.6 + 0.7 * waves.x * k, 1.0) / k;
-    return away * water_backscattering.rgb * path * exp(k * (depth * crest_ray.w)) *
-           (scattered * crest_sun.rgb + crest_sky.rgb);
+    return away * (water_backscattering.rgb * path * exp(k * (depth * crest_ray.w)) + 0.12 * lip) *
+           (scattered * sunlit * crest_sun.rgb + crest_sky.rgb);
 }

@@ -17,11 +17,14 @@ vec3 sun_in_water() {
     return vec3(across.x, sqrt(1.0 - dot(across, across)), across.y);
 }
 
-// Irradiance just below the surface, on a level plane.
-vec3 sunlight_below() {
-    float high = max(sun.y, 0.0);
-    return sun_irradiance.rgb * high * (1.0 - mean_fresnel(high, 0.15));
+// Sunlight that enters a plane, which may be the side of a long wave.
+vec3 sunlight_into(vec3 normal) {
+    float high = max(dot(normal, sun.xyz), 0.0);
+    return sunlight() * high * (1.0 - mean_fresnel(high, 0.15));
 }
+
+// Irradiance just below the surface, on a level plane.
+vec3 sunlight_below() { return sunlight_into(vec3(0.0, 1.0, 0.0)); }
 vec3 skylight_below() { return 0.934 * sky_irradiance.rgb; }
 
 float henyey_greenstein(float cosine, float g) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -70,10 +71,20 @@ class CloudLayer {
     /// \pre the CloudShape is filled and measured
     /// \param direction  unit vector
     CloudLight along(glm::vec3 direction) const;
-    /// Returns the transmittance of the clouds in a direction; 0 below the horizon.
-    float visibility(glm::vec3 direction) const { return direction.y > 0 ? along(direction).transmittance : 0; }
+    /// Returns the transmittance of the clouds along a ray from a place at sea level; 0 below the
+    /// horizon.
+    /// \pre the CloudShape is filled and measured
+    /// \param place_m  x and z; along() looks from (0, 0)
+    /// \param direction  unit vector
+    float transmittance(glm::vec2 place_m, glm::vec3 direction) const;
 
    private:
+    /// Part of a ray from sea level that is in the layer, and its samples.
+    struct Crossing {
+        float start = 0, step = 0;  ///< metres
+        int samples = 0;            ///< 0: the ray meets no cloud
+    };
+    Crossing crossing(glm::vec3 direction) const;
     float threshold(glm::vec3 at) const;
     float density(glm::vec3 at, float relative_height, float threshold) const;
     float depth_towards_sun(glm::vec3 at, float relative_height, float threshold) const;

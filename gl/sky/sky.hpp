@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/sky/cloud_shadows.hpp"
 #include "pelagic/message/numeric_field.hpp"
 
 namespace pelagic::gl {
@@ -49,9 +50,12 @@ struct SkyLight {
     /// (levels - 1))^2. Its faces have face_size >> m texels on a side.
     int levels = 0;
     glm::vec3 sun_direction{0, 1, 0};  ///< direction to the key light
-    /// Irradiance of the key light at sea level on a plane perpendicular to its rays, after air,
-    /// haze and clouds.
+    /// Irradiance of the key light at sea level on a plane perpendicular to its rays, after air and
+    /// haze, and after the clouds where they let through most. Sky::cloud_shadows is relative to it.
     glm::vec3 sun_irradiance{0};
+    /// Transmittance of the clouds there; 0 if the sky has no cloud_shadows.
+    float brightest_transmittance = 0;
+    float mean_sunlight = 1;  ///< mean of cloud_shadows
     bool key_is_moon = false;
     glm::vec3 sky_irradiance{0};  ///< on a horizontal plane, without the key light's disc
     glm::vec3 haze_per_m{0};      ///< extinction along the sea surface, 1/m
@@ -65,9 +69,10 @@ struct SkyLight {
 /// A baked sky.
 struct Sky : SkyLight {
     int face_size = 0;
-    /// RGBA half floats. A: in level 0 the clouds' transmittance for starlight, else 1. Order:
+    /// RGBA half floats. A: in level 0 the clouds' transmittance for stars, sun and moon, else 1. Order:
     /// levels, then the faces +x, -x, +y, -y, +z, -z, then rows in GL's order.
     std::vector<std::uint16_t> texels;
+    CloudShadows cloud_shadows;
 
     /// Returns the texels of one face of one level.
     std::span<const std::uint16_t> face(int level, int face) const;

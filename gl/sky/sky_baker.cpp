@@ -43,6 +43,7 @@ float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f)
 //   * `sky light` (sum of the tables), `sky heaps` and `sky blocks` (cloud noise and its maxima,
 //     once for each seed);
 //   * `sky faces`: level 0 above the horizon, rows of each face;
+//   * `sky shadows`: sunlight on the sea under the clouds, rows;
 //   * `sky below`: level 0 below the horizon, the sea's reflection of the faces;
 //   * `sky averages`: box mips, which the next stage samples;
 //   * `sky mirrors`: GGX levels;
@@ -87,7 +88,14 @@ struct SkyBaker::State {
                                              for (std::size_t row = begin; row < end; ++row)
                                                  bake_row(static_cast<int>(row) / size, static_cast<int>(row) % size);
                                          }});
-        const StageId below = graph.add({"sky below", 1, 1, {faces}, [this](auto, auto) { reflect_in_sea(); }});
+        const StageId shade =
+            graph.add({"sky shadows", CloudShadows::side, 2, {light, blocks}, [this](std::size_t begin, std::size_t end) {
+                           if (target().options.cloud_cover <= 0) return;
+                           for (std::size_t row = begin; row < end; ++row)
+                               fill_shadow_row(*clouds, target().sun_direction, static_cast<int>(row), shadow_row(row));
+                       }});
+        const StageId below =
+            graph.add({"sky below", 1, 1, {faces, shade}, [this](auto, auto) { reflect_in_sea(); }});
         const StageId box = graph.add({"sky averages", 1, 1, {below}, [this](auto, auto) { average(); }});
         std::size_t mirror_rows = 0;
         for (std::size_t level = 1; level < mirrors.size(); ++level) mirror_rows += 6 * mirrors[level].side;
@@ -164,6 +172,30 @@ struct SkyBaker::State {
         measure_irradiance();
     }
 
+    std::span<float, CloudShadows::side> shadow_row(std::size_t row) {
+        return std::span<float, CloudShadows::side>(&shadows[row * CloudShadows::side], CloudShadows::side);
+    }
+
+    /// \param key  irradiance of the key light without clouds
+    void store_shadows(const glm::vec3& key) {
+        Sky& sky = target();
+        sky.cloud_shadows.texels.clear();
+        sky.sun_irradiance = sky.sun_direction.y > 0 ? key : glm::vec3(0);
+        sky.brightest_transmittance = 0;
+        sky.mean_sunlight = 1;
+        if (sky.options.cloud_cover <= 0) return;
+        constexpr float least = 1e-4f;
+        const float brightest = std::max(*std::max_element(shadows.begin(), shadows.end()), least);
+        sky.sun_irradiance *= brightest;
+        sky.brightest_transmittance = brightest;
+        double sum = 0;
+        for (const float transmittance : shadows) {
+            sky.cloud_shadows.texels.push_back(static_cast<std::uint8_t>(transmittance / brightest * 255 + 0.5f));
+            sum += static_cast<double>(transmittance / brightest);
+        }
+        sky.mean_sunlight = static_cast<float>(sum / static_cast<double>(shadows.size()));
+    }
+
     void measure_irradiance() {
         Sky& sky = target();
         const Cube& cube = averages[std::min<std::size_t>(averages.size() - 1, 2)];
@@ -180,13 +212,13 @@ struct SkyBaker::State {
                     if (d.y > 0) irradiance += cube.at(face, x, y) * (d.y * weight);
                 }
         const glm::vec3 key = clear->key_light().irradiance;
-        sky.sun_irradiance = key * clouds->visibility(sky.sun_direction);
+        store_shadows(key);
         sky.sky_irradiance = irradiance * (4 * pi_v<float> / weights);
         // Rec. 709 luminance of a white card in the open, tilted halfway from horizontal towards
         // the sun. A horizontal card would underestimate the light of an evening.
         const float tilted = sky.sun_direction.y > 0 ? 0.5f + 0.5f * sky.sun_direction.y : 0;
         // A cloud in front of the sun darkens this position, not the whole view.
-        const glm::vec3 sunlight = glm::max(sky.sun_irradiance, 0.5f * key);
+        const glm::vec3 sunlight = key * std::max(clouds->transmittance({0, 0}, sky.sun_direction), 0.5f);
         const glm::vec3 card = (sky.sky_irradiance + sunlight * tilted) / pi_v<float>;
         // An overcast sky is as bright as the card. The sky's luminance is added, so that the sky
         // is not overexposed.
@@ -214,6 +246,7 @@ struct SkyBaker::State {
     std::optional<ClearSky> clear;
     std::optional<CloudLayer> clouds;
     std::vector<Cube> averages, mirrors;
+    std::vector<float> shadows = std::vector<float>(std::size_t{CloudShadows::side} * CloudShadows::side);
     std::vector<float> cloud_transmittances;  ///< cloud transmittance of level 0's texels
     std::array<Sky, 2> skies;
     std::size_t writing = 0;

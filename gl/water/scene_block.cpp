@@ -126,6 +126,15 @@ void place_night(SceneBlock& block, const SkyLight& sky) {
     block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
 }
 
+/// Sets the placement of the clouds' shadows, which move in the world, not with the water.
+void place_clouds(SceneBlock& block, const SeaFacts& facts, const SkyLight& sky, glm::dvec2 viewer) {
+    const float transmittance = sky.brightest_transmittance;
+    if (transmittance <= 0) return;
+    const glm::dvec2 place = (viewer - cloud_drift(facts.sea, facts.time_s)) / CloudShadows::period_m + 0.5;
+    block.cloud_place = {fraction(place.x), fraction(place.y), 1 / CloudShadows::period_m, 1};
+    block.cloud_light = {sky.mean_sunlight, 1 / transmittance, 0, 0};
+}
+
 /// Drift of the foam structure, which moves with the foam. Along each of two directions it covers a
 /// whole number of texture periods in a loop.
 class FoamDrift {
@@ -214,6 +223,16 @@ void place_crest_light(SceneBlock& block, float gain) {
     block.crest_sky = glm::vec4(glm::vec3(block.sky_irradiance) * (gain * skylight), 0);
 }
 
+glm::dvec2 cloud_drift(const SeaState& sea, double time_s) {
+    // Over the sea the wind rises as log(z / 0.2 mm) to the top of the surface layer at 100 m, and
+    // hardly further up to the clouds.
+    constexpr double aloft = 1.21;
+    const double periods = aloft * sea.wind_speed_mps * sea.loop_period_s / CloudShadows::period_m;
+    const glm::dvec2 a_loop = glm::round(
+        periods * glm::dvec2(std::cos(double{sea.wind_direction_rad}), std::sin(double{sea.wind_direction_rad})));
+    return CloudShadows::period_m * a_loop * (time_s / sea.loop_period_s);
+}
+
 SeaFacts facts_of(const Frame& frame) {
     SeaFacts facts{.sea = frame.sea,
                    .statistics = frame.statistics,
@@ -290,6 +309,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);
+    place_clouds(block, facts, sky, viewer);
     place_foam(block, facts, in_water);
     if (facts.surface != Surface::open) place_small_water(block, facts, in_water, facts.unshifted(viewer_m));
     if (facts.shore.columns > 0) place_shore(block, facts.shore, facts.shore_has_mips, facts.unshifted(viewer_m));

@@ -59,6 +59,7 @@ struct SceneBlock {
     glm::vec4 shore_place{}, shore_size{};
     glm::vec4 dynamic_waves_place{}, dynamic_waves_extent{};
     glm::vec4 glint_place{};
+    glm::vec4 cloud_place{}, cloud_light{1, 0, 0, 0};
     // Only programs with EXCLUSIONS have these members.
     std::array<glm::vec4, 3 * max_exclusions> exclusion_box{};
     std::array<glm::vec4, max_exclusions> exclusion_map{};
@@ -134,6 +135,10 @@ struct CausticFacts {
 
 /// Returns the number of cells along x and z of the floor mesh, without the far cells around them.
 glm::ivec2 floor_cells(const SeaFloor& floor);
+
+/// Returns how far the clouds, and their shadows, have moved since time 0: x and z in metres. They
+/// cover a whole number of periods of CloudShadows in a loop, so they stand still in short loops.
+glm::dvec2 cloud_drift(const SeaState& sea, double time_s);
 
 struct DrawInput;
 /// Computes the uniform block, except for the members that place_below() sets.

@@ -11,7 +11,8 @@ constexpr const char* samplers[unit_count] = {
     "displacement",  "slopes",        "moments",        "detail",
     "sky",           "floor_heights", "caustics",       "foam_structure",
     "snapshots",     "flow",          "scene_radiance", "scene_depth",
-    "shore_weights", "shore_water",   "shore_reach",    "dynamic_waves_texels"};
+    "shore_weights", "shore_water",   "shore_reach",    "dynamic_waves_texels",
+    "cloud_shadows"};
 
 std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     const auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };

@@ -30,10 +30,12 @@ enum Unit : GLint {
     shore_water_unit,
     shore_reach_unit,
     dynamic_waves_unit,
+    cloud_shadows_unit,
     unit_count
 };
 /// Returns the unit of the exclusion maps. OpenGL ES 3.0 guarantees 16 units to a fragment shader,
-/// so the maps share that of a texture that the surface's programs do not sample.
+/// so the maps share that of a texture that the surface's programs do not sample. Only vertex shaders
+/// and the skirt sample the clouds' shadows.
 constexpr Unit exclusions_unit(Surface surface) { return surface == Surface::open ? flow_unit : shore_weights_unit; }
 
 struct ProgramFiles {

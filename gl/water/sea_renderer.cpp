@@ -170,6 +170,7 @@ struct SeaRenderer::State {
         bind(shore_water_unit, GL_TEXTURE_2D, shore.water());
         bind(shore_reach_unit, GL_TEXTURE_2D, shore.reach());
         bind(dynamic_waves_unit, GL_TEXTURE_2D, dynamic_waves.texels());
+        bind(cloud_shadows_unit, GL_TEXTURE_2D, cloud_shadows.name());
         bind(exclusions_unit(options.surface), GL_TEXTURE_2D_ARRAY, exclusions.name());
     }
 
@@ -288,7 +289,7 @@ struct SeaRenderer::State {
     std::map<SeaVariant, SeaPrograms> programs_by_variant;
     SeaPrograms* programs = nullptr;  ///< programs of the current draw()
     std::optional<PatchBuffers> buffers;  ///< of the last draw list's V
-    Texture detail, foam, sky, floor, caustics, flow, exclusions;
+    Texture detail, foam, sky, cloud_shadows, floor, caustics, flow, exclusions;
     std::vector<ExclusionMap> exclusion_maps;
     bool has_exclusions = false;  ///< the current draw() leaves out the interiors of hulls
     PatchSplit split;             ///< of that draw()
@@ -300,6 +301,7 @@ struct SeaRenderer::State {
     FlowExtent flow_extent;
     int sky_face_size = 0;
     SkyLight light;
+    CloudShadows shadows;
     WaterOptics water = water_optics(default_jerlov_type);
     VertexArray empty;
     Buffer scene;
@@ -333,6 +335,16 @@ void SeaRenderer::set_sky(const Sky& sky) {
                              sky.face_size >> level, sky.face_size >> level, GL_RGBA, GL_HALF_FLOAT,
                              sky.face(level, face).data());
     s.light = sky;
+    s.shadows = sky.cloud_shadows;
+    const std::vector<std::uint8_t>& shadows = s.shadows.texels;
+    if (shadows.empty()) return;
+    constexpr int side = CloudShadows::side;
+    gl.ActiveTexture(GL_TEXTURE0 + cloud_shadows_unit);
+    if (s.cloud_shadows.name() == 0)
+        s.cloud_shadows = make_texture(gl, GL_TEXTURE_2D, GL_R8, mip_levels(side), side, side);
+    gl.BindTexture(GL_TEXTURE_2D, s.cloud_shadows.name());
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, side, side, GL_RED, GL_UNSIGNED_BYTE, shadows.data());
+    gl.GenerateMipmap(GL_TEXTURE_2D);
 }
 
 void SeaRenderer::set_shading(Shading shading) { state_->options.shading = shading; }
@@ -480,6 +492,10 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
     }
     statistics.draw_ms = all.milliseconds();
     return statistics;
+}
+
+float SeaRenderer::sunlit_at(const glm::dvec2& world_m) const {
+    return state_->shadows.at(world_m - cloud_drift(state_->facts.sea, state_->facts.time_s));
 }
 
 const FrameTextures& SeaRenderer::textures() const { return state_->textures; }

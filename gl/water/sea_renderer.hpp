@@ -185,6 +185,11 @@ class SeaRenderer {
     /// \pre upload() and set_sky() have been called; all pointers are set
     const DrawStatistics& draw(const DrawInput& input);
 
+    /// Returns the fraction of the sky's sun_irradiance that its clouds let through at a place, for
+    /// the application's own objects: the sea there, in the uploaded frame, has it too.
+    /// \param world_m  x and z
+    float sunlit_at(const glm::dvec2& world_m) const;
+
     /// Returns the textures of the last uploaded frame.
     const FrameTextures& textures() const;
     /// Returns the statistics of the last draw().

@@ -87,6 +87,7 @@ class OfflineRenderer {
    public:
     OfflineRenderer(const RenderOptions& options, const gl::Sky& sky, Progress& progress)
         : options_(options),
+          sky_(sky),
           ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
                                                   .isa = options.scene.compute.isa,
                                                   .queries = true,
@@ -126,11 +127,9 @@ class OfflineRenderer {
             hull_.emplace(*options.hull, ocean_, *player_, options.time_s,
                           make_default_executor(options.scene.compute.threads));
             hull_mesh_.emplace(drawn_hull(context_.functions(), options.hull->hull->mesh()));
-            hull_mesh_->set_light(sky);
         }
         if (options.rock_m) {
             rock_.emplace(context_.functions(), glm::dvec3(options.rock_m->x, 0, options.rock_m->y));
-            rock_->set_light(sky);
         }
         if (!options.aovs.empty()) {
             data_.emplace(context_.functions(), options.scene.width, options.scene.height, 0, gl::PixelKind::data);
@@ -289,11 +288,13 @@ class OfflineRenderer {
         target.clear({0.004f, 0.008f, 0.016f});
         std::optional<gl::ApplicationScene> application_scene;
         if (rock_) {
+            rock_->set_light(sky_, pass_.renderer().sunlit_at(*options_.rock_m));
             application_scene = rock_->image(eyes[0]);
             rock_->draw(eyes[0], weighs_samples ? exposure() : 0);
         }
         if (moment_) {
             const glm::dmat4 pose = hull_->world_from_mesh(*moment_);
+            hull_mesh_->set_light(sky_, pass_.renderer().sunlit_at({pose[3].x, pose[3].z}));
             application_scene = hull_mesh_->image(eyes[0], pose);
             hull_mesh_->draw(eyes[0], pose, weighs_samples ? exposure() : 0);
         }
@@ -335,6 +336,7 @@ class OfflineRenderer {
     }
 
     const RenderOptions& options_;
+    const gl::Sky& sky_;
     gl::HeadlessContext context_;
     Ocean ocean_;
     std::optional<EventPlayer> player_;  ///< of dynamic waves; none without --events

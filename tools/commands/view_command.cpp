@@ -43,6 +43,7 @@ std::string degrees_text(double radians) { return number_text(std::round(glm::de
 std::string light_text(const viewer::ViewSettings& settings) {
     const gl::SkyOptions& sky = settings.sky;
     std::string text = " --visibility " + number_text(std::round(static_cast<double>(sky.visibility_m)));
+    if (sky.cloud_seed != gl::SkyOptions().cloud_seed) text += " --cloud-seed " + std::to_string(sky.cloud_seed);
     if (sky.places_moon)
         text += " --moon " + degrees_text(static_cast<double>(sky.moon_azimuth_rad)) + "," +
                 degrees_text(static_cast<double>(sky.moon_elevation_rad));

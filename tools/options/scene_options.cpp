@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -123,6 +124,7 @@ void SceneFlags::add_to(CLI::App& app, SeaOptions::PresetName preset) {
     add("sun", "AZIMUTH,ELEVATION", "direction in degrees; azimuth from +x to +z (default: 80,32)");
     add("moon", "AZIMUTH,ELEVATION", "direction in degrees (default: opposite the sun, full)");
     add("clouds", "FRACTION", "cloud cover; [0, 1] (default: depends on the wind)");
+    add("cloud-seed", "NUMBER", "seed of the clouds; 0 to 4294967295 (default: 4, or that of --light)");
     add("visibility", "METRES", "distance of 2 % contrast; [500, 300000] (default: depends on the wind)");
     add("crest-glow", "GAIN", "factor on light through wave crests; [0, 10]; 1 is true to nature (default: 1)");
     add("exposure", "EV", "exposure value at ISO 100; [-10, 20], or auto: metered (default: auto)");
@@ -202,6 +204,12 @@ SceneOptions SceneFlags::resolve(const CameraMotion& motion) const {
     });
     given("clouds", [&](const auto& option, const auto& text) {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a fraction in [0, 1]"));
+    });
+    given("cloud-seed", [&](const auto& option, const auto& text) {
+        const auto seed = parse_integer(text);
+        if (!seed || *seed < 0 || *seed > std::numeric_limits<std::uint32_t>::max())
+            throw bad_value(option, text, "a whole number from 0 to 4294967295");
+        options.sky.cloud_seed = static_cast<std::uint32_t>(*seed);
     });
     given("shading",
           [&](const auto& option, const auto& text) { options.shading = one_of<gl::Shading>(option, text); });

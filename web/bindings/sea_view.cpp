@@ -88,6 +88,7 @@ void SeaView::draw(std::span<const gl::Eye> eyes, std::optional<float> wanted_ex
         gl_.ClearDepthf(1);
         gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
+    eye_m_ = {eyes[0].position_m.x, eyes[0].position_m.z};
     pass_->draw({.eyes = eyes, .exposure = wanted_exposure.value_or(exposure())});
 }
 

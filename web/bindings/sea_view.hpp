@@ -44,6 +44,8 @@ class SeaView {
     bool has_sky() const { return !is_baking_ && !next_light_; }
     /// Returns the light of the drawn sky, for other objects that a page draws.
     const gl::SkyLight& light() const { return *sky_; }
+    /// Returns the fraction of its sun_irradiance below the eyes of the last draw().
+    float sunlit() const { return pass_->renderer().sunlit_at(eye_m_); }
     /// Returns the factor of radiance under that sky.
     float exposure() const;
 
@@ -76,6 +78,7 @@ class SeaView {
     bool is_baking_ = false;
     std::optional<gl::SkyOptions> next_light_;  ///< to be baked next
     float stops_ = 0;
+    glm::dvec2 eye_m_{0};  ///< x and z, of the last draw()
     const Frame* frame_ = nullptr;
     double simulate_ms_ = 0;
 };

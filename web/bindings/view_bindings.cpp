@@ -249,7 +249,7 @@ class BoundView {
         const gl::SkyLight& light = view_->light();
         val info = val::object();
         info.set("direction", array_of(light.sun_direction));
-        info.set("sunIrradiance", array_of(light.sun_irradiance));
+        info.set("sunIrradiance", array_of(view_->sunlit() * light.sun_irradiance));
         info.set("skyIrradiance", array_of(light.sky_irradiance));
         info.set("exposure", view_->exposure());
         return info;

@@ -291,23 +291,23 @@ float3 PelagicAttenuation() { return _PelagicAbsorption.rgb + _PelagicBackscatte
 
 float PelagicCosineInWater(float cosine) { return sqrt(1.0 - (1.0 - cosine * cosine) / (pelagic_water_index * pelagic_water_index)); }
 
-float3 PelagicUpwelling(float3 normal, float3 to_eye) {
-    float high = max(_PelagicSun.y, 0.0);
+float3 PelagicUpwelling(float3 normal, float3 to_eye, float2 long_slopes) {
+    float high = max(dot(normalize(float3(-long_slopes.x, 1.0, -long_slopes.y)), _PelagicSun.xyz), 0.0);
     float3 sunlight = _PelagicSunIrradiance.rgb * high * (1.0 - PelagicMeanFresnel(high, 0.15));
     float3 skylight = 0.934 * _PelagicSkyIrradiance.rgb;
     float seen = max(-refract(-to_eye, normal, 1.0 / pelagic_water_index).y, 0.1);
     return 0.57 / (pelagic_pi * pelagic_water_index * pelagic_water_index) * _PelagicBackscattering.rgb / PelagicAttenuation() *
-           (sunlight / (PelagicCosineInWater(high) + seen) + skylight / (0.86 + seen));
+           (sunlight / (PelagicCosineInWater(max(_PelagicSun.y, 0.0)) + seen) + skylight / (0.86 + seen));
 }
 
-float3 PelagicThroughCrests(float3 normal, float3 to_eye, float height) {
+float3 PelagicThroughCrests(float3 normal, float3 to_eye, float height, float lip) {
     float away = saturate(6.0 * dot(normal.xz, _PelagicCrestRay.xz));
     float narrow = max(1.0 + dot(refract(-to_eye, normal, 1.0 / pelagic_water_index), _PelagicCrestRay.xyz), 0.1);
     float scattered = max(0.27 * rsqrt(narrow * narrow * narrow) - 0.18, 0.0);
     float depth = max(0.31 * _PelagicWaves.x - height, 0.0);
     float3 k = PelagicAttenuation();
     float3 path = min(0.6 + 0.7 * _PelagicWaves.x * k, 1.0) / k;
-    return away * _PelagicBackscattering.rgb * path * exp(k * (depth * _PelagicCrestRay.w)) * (scattered * _PelagicCrestSun.rgb + _PelagicCrestSky.rgb);
+    return away * (_PelagicBackscattering.rgb * path * exp(k * (depth * _PelagicCrestRay.w)) + 0.12 * lip) * (scattered * _PelagicCrestSun.rgb + _PelagicCrestSky.rgb);
 }
 
 // ---- Foam: snapshot_foam.glsl, foam.glsl -------------------------------------------------------
@@ -386,7 +386,9 @@ float3 PelagicRadiance(PelagicVertex pixel, float3 eye) {
     float3 normal = normalize(float3(waves.slopes.x, 1.0, waves.slopes.y));
     float alpha_of_all = PelagicAlphaOfAll();
     float mirrors = PelagicMeanFresnel(saturate(dot(normal, to_eye)), sqrt(0.5 * waves.alpha2));
-    float3 water_light = PelagicUpwelling(normal, to_eye) + PelagicThroughCrests(normal, to_eye, pixel.place.y + PelagicViewerHeight());
+    float3 water_light = PelagicUpwelling(normal, to_eye, pixel.coarsest.xy) +
+                         PelagicThroughCrests(normal, to_eye, pixel.place.y + PelagicViewerHeight(),
+                                              smoothstep(_PelagicFoamKind.x - 1.2, _PelagicFoamKind.x, waves.compression));
     float3 mirrored = PelagicMirroredLight(normal, to_eye, waves.alpha2, alpha_of_all, water_light);
     float3 radiance = lerp(water_light, mirrored, mirrors) + _PelagicSunIrradiance.rgb * PelagicGlint(normal, to_eye, waves.alpha2, alpha_of_all);
     float foam = PelagicFoamCover(pixel.rest, waves.compression, footprint.wide_m);
