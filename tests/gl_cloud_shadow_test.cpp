@@ -20,6 +20,7 @@ gl::Sky half_shaded_sky() {
     sky.sun_direction = glm::normalize(glm::vec3(0.1f, 1, 0));
     sky.sun_irradiance = glm::vec3(1);
     sky.brightest_transmittance = 1;
+    sky.mean_sunlight = 0;  // the air between sea and eye adds no light
     for (int i = 0; i < shadow_side * shadow_side; ++i)
         sky.cloud_shadows.texels.push_back(i % shadow_side < shadow_side / 2 ? 0 : 255);
     return sky;
@@ -30,14 +31,14 @@ class GlCloudShadow : public testing::Test {
     /// Returns the mean green radiance in the west and in the east of a square of 600 m around a
     /// point, seen from above. Its middle, as wide as a texel, is left out.
     std::pair<double, double> west_and_east(double x_m, double time_s) {
-        scene_.draw({.position_m = {x_m, 520, 0.01}, .target_m = {x_m, 0, 0}, .vertical_view_rad = 1.047}, time_s);
+        scene_.draw({.position_m = {x_m, 520, 100}, .target_m = {x_m, 0, 0}, .vertical_view_rad = 1.047}, time_s);
         const std::vector<float> rgba = scene_.target->read_radiance();
         std::pair<double, double> sums;
         constexpr int middle = shadow_pixels / 2, apart = shadow_pixels / 12;
         for (int y = 0; y < shadow_pixels; ++y)
             for (int x = 0; x < shadow_pixels; ++x) {
                 const auto green = static_cast<double>(rgba[4 * static_cast<std::size_t>(y * shadow_pixels + x) + 1]);
-                // The eye looks down with -z up, so +x is to the right.
+                // The eye looks towards -z, so +x is to the right.
                 if (x < middle - apart) sums.first += green;
                 if (x >= middle + apart) sums.second += green;
             }
