@@ -2,20 +2,38 @@
 # Builds the packages of the current commit into dist/, from a clean clone, and tests each of them:
 #
 #   ./release.sh              all parts
-#   ./release.sh PART...      some: debian linux arm64 windows python blender npm godot3 unity
+#   ./release.sh PART...      some: debian linux arm64 windows python blender npm godot3 android unity
 #   ./release.sh --twice ...  builds them again in another folder, and compares the bytes
+#   ./release.sh --ndk PATH   with the part android, which needs the Android NDK, r26 or later
 #
 # Needs Debian 12, and root, because some packages are tested in fresh systems. Installs missing
 # packages, like test.sh. The part unity packs the libraries of linux and windows, which come before
-# it. docs/packages.md describes each package.
+# it, and of android. docs/packages.md describes each package.
 set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
 
-twice=
-[ "${1:-}" != --twice ] || { twice=1 && shift; }
-parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot3 unity)
+twice= ndk= parts=()
+while [ $# -gt 0 ]; do
+  case $1 in
+    --twice) twice=1 ;;
+    --ndk)
+      [ -n "${2:-}" ] || { echo "release.sh: --ndk needs a path: the folder of an Android NDK, r26 or later" >&2 && exit 2; }
+      ndk=$2 && shift
+      ;;
+    *) parts+=("$1") ;;
+  esac
+  shift
+done
+[ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot3 ${ndk:+android} unity)
+if [[ " ${parts[*]} " == *" android "* ]]; then
+  [ -n "$ndk" ] || { echo "release.sh: android needs --ndk PATH, the folder of an Android NDK, r26 or later" >&2 && exit 2; }
+  packaging/android_ndk.sh "$ndk" >/dev/null || exit 2
+  PELAGIC_NDK=$(realpath "$ndk")
+  export PELAGIC_NDK
+elif [ -n "$ndk" ]; then
+  echo "release.sh: --ndk is for the part android, given ${parts[*]}" >&2 && exit 2
+fi
 
 packages=(git python3)
 earlier=
@@ -32,11 +50,15 @@ for part in "${parts[@]}"; do
       command -v npm >/dev/null || packages+=(npm)
       ;;
     godot3) packages+=(godot3-server unzip) ;;
+    android)
+      packages+=(unzip)
+      [[ $earlier != *" unity "* ]] || { echo "release.sh: unity needs the part android before it" >&2 && exit 2; }
+      ;;
     unity)
       packages+=(mono-mcs mono-runtime unzip)
       [[ $earlier == *" linux "* && $earlier == *" windows "* ]] || { echo "release.sh: unity needs the parts linux and windows before it" >&2 && exit 2; }
       ;;
-    *) echo "release.sh: unknown part $part, accepted: debian linux arm64 windows python blender npm godot3 unity" >&2 && exit 2 ;;
+    *) echo "release.sh: unknown part $part, accepted: debian linux arm64 windows python blender npm godot3 android unity" >&2 && exit 2 ;;
   esac
   earlier+=" $part "
 done

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reads packages of dist/: .deb, .tar.gz, .tgz, .zip and .whl.
+"""Reads packages of dist/: .deb, .tar.gz, .tgz, .zip, .aar and .whl.
 
 usage: artefact.py check LIST VERSION SOVERSION FORBIDDEN ARTEFACT
        artefact.py glibc NEWEST ARTEFACT...
@@ -29,7 +29,7 @@ import zipfile
 def contents(artefact):
     """Files and links of an artefact by name, with their bytes."""
     path = pathlib.Path(artefact)
-    if path.suffix in (".zip", ".whl"):
+    if path.suffix in (".zip", ".whl", ".aar"):
         with zipfile.ZipFile(path) as archive:
             return {entry.filename: archive.read(entry) for entry in archive.infolist() if not entry.is_dir()}
     data = path.read_bytes()

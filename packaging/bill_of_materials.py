@@ -4,8 +4,8 @@ versions and licences of the code of others that is compiled into it.
 
 usage: bill_of_materials.py DIST_FOLDER SOURCE_FOLDER
 
-Versions are those of the installed Debian packages. NOTICE has the same components. Fails if the
-headers that the builds in SOURCE_FOLDER/build included belong to other Debian packages.
+Versions are those of the installed Debian packages, and of the NDK in PELAGIC_NDK. NOTICE has the same
+components. Fails if the headers that the builds in SOURCE_FOLDER/build included belong to other Debian packages.
 """
 import datetime
 import hashlib
@@ -15,6 +15,8 @@ import pathlib
 import re
 import subprocess
 import sys
+
+import artefact
 
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 # Name in NOTICE: Debian package, licence, home page.
@@ -36,6 +38,7 @@ COMPONENTS = {
     "dlmalloc": ("emscripten", "CC0-1.0", "https://gee.cs.oswego.edu/dl/html/malloc.html"),
     "libc++": ("emscripten", "Apache-2.0 WITH LLVM-exception", "https://llvm.org"),
     "mingw-w64": ("mingw-w64-x86-64-dev", "ZPL-2.1 AND MIT AND LicenseRef-public-domain", "https://www.mingw-w64.org"),
+    "Android NDK": (None, "Apache-2.0 WITH LLVM-exception", "https://developer.android.com/ndk"),  # libc++, libc++abi, libunwind, compiler-rt
     "libstdc++": ("g++-mingw-w64-x86-64-posix", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
 }
 LIBRARY = ["xsimd", "xxHash", "GLM"]
@@ -54,7 +57,8 @@ CONTENTS = [
     (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", LIBRARY),
     (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "dlmalloc", "libc++"]),
     (r"pelagic-godot3-.*\.zip", LIBRARY),
-    (r"com\.pelagic\.ocean-.*\.tgz", [*LIBRARY, *WINDOWS]),
+    (r"pelagic-[\d.]+-android\.(aar|zip)", [*LIBRARY, "Android NDK"]),
+    (r"com\.pelagic\.ocean-.*\.tgz", LIBRARY),  # and those of its plugins
 ]
 # Builds of build.sh, with patterns of the files made there.
 BUILDS = {
@@ -63,15 +67,18 @@ BUILDS = {
     "arm64-package": r".*arm64\.tar\.gz|.*aarch64\.whl",
     "windows-package": r".*windows.*\.zip",
     "python": r".*x86_64\.whl|pelagic_blender-.*\.zip",
+    "android-arm64-v8a": r"pelagic-.*-android\.(aar|zip)",
     "web-threads": r"pelagic-[\d.]+\.tgz",
 }
 # Owners of headers that compile nothing in: those of the systems' compilers, and of libraries that
 # are linked at run time.
-INTERFACES = re.compile(r"libc6-.*|libgcc-.*|libstdc\+\+-.*|linux-libc-.*|libclang-.*|gcc-mingw-.*|mingw-.*|libegl-dev|libgles-dev|libgl-dev|"
+INTERFACES = re.compile(r"libc6-.*|libgcc-.*|libstdc\+\+-.*|libc\+\+-.*|linux-libc-.*|libclang-.*|gcc-mingw-.*|mingw-.*|libegl-dev|libgles-dev|libgl-dev|"
                         r"libglfw3-dev|libzstd-dev")
 
 
 def version_of(package):
+    if package is None:
+        return re.search(r"Pkg\.Revision *= *(\S+)", pathlib.Path(os.environ["PELAGIC_NDK"], "source.properties").read_text())[1]
     shown = subprocess.run(["dpkg-query", "-W", "-f", "${Version}\n", package], capture_output=True, text=True)
     return next(iter(shown.stdout.split()), None) or sys.exit(f"bill_of_materials.py: {package} is not installed")
 
@@ -89,6 +96,8 @@ def package(name, version, supplier, declared, concluded, **more):
 def component(name):
     debian, licence, page = COMPONENTS[name]
     version = version_of(debian)
+    if debian is None:
+        return package(name, version, "Google", licence, licence, homepage=page, sourceInfo="Libraries of the Android NDK")
     locator = f"pkg:deb/debian/{debian}@{version}?distro=bookworm".replace("+", "%2B")
     return package(name, version, "Debian", licence, licence, homepage=page, sourceInfo=f"Code and version of Debian's package {debian}",
                    externalRefs=[{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl", "referenceLocator": locator}])
@@ -116,7 +125,7 @@ def check_builds(source, contents):
     for folder, pattern in BUILDS.items():
         listed = {COMPONENTS[name][0] for file, names in contents.items() if re.fullmatch(pattern, file) for name in names}
         if listed:
-            listed = {name for name in listed if not INTERFACES.fullmatch(name)}
+            listed = {name for name in listed if name and not INTERFACES.fullmatch(name)}
             included = owners_of_headers(source / "build" / folder)
             for text, names in (("includes headers of", included - listed), ("includes no header of", listed - included)):
                 if names:
@@ -131,9 +140,12 @@ def main():
     version = subprocess.run([SOURCE / "packaging/version.sh"], capture_output=True, text=True, check=True).stdout.strip()
     packages, relationships, contents = [], [], {}
     for file in sorted(dist.iterdir()):
-        found = next((components for pattern, components in CONTENTS if re.fullmatch(pattern, file.name)), None)
+        found = next((list(components) for pattern, components in CONTENTS if re.fullmatch(pattern, file.name)), None)
         if found is None:
             sys.exit(f"bill_of_materials.py: {file.name} is in no list of components")
+        if file.name.startswith("com.pelagic.ocean-"):
+            plugins = {name.split("/")[2] for name in artefact.contents(file) if name.startswith("package/Plugins/")}
+            found += (WINDOWS if "Windows" in plugins else []) + (["Android NDK"] if "Android" in plugins else [])
         digest = hashlib.sha256(file.read_bytes()).hexdigest()
         packages.append(package(file.name, version, "The Pelagic authors", "MIT", all_licences(found), packageFileName=file.name,
                                 checksums=[{"algorithm": "SHA256", "checksumValue": digest}]))

@@ -4,7 +4,8 @@
 # usage: build.sh SOURCE_FOLDER OUT_FOLDER PART...
 #
 # PELAGIC_MAINTAINER, "NAME <ADDRESS>", is the maintainer of Debian's packages, instead of a
-# placeholder.
+# placeholder. PELAGIC_NDK is the folder of the Android NDK, and PELAGIC_ANDROID_OPTIONS are further
+# options of CMake for it, for tests.
 set -euo pipefail
 source=$(realpath "$1") out=$(realpath -m "$2")
 packaging=$source/packaging
@@ -15,6 +16,7 @@ export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} PYTHON
 export DESTDIR=
 # Packages come from the compiler and linker alone, without a cache.
 from_sources=-DPELAGIC_FAST_BUILD=OFF
+android_abis=(arm64-v8a x86_64)
 without_extras=($from_sources -DPELAGIC_TESTS=OFF -DPELAGIC_EXAMPLES=OFF)
 
 # usage: pack BUILD_FOLDER
@@ -91,12 +93,34 @@ build_npm() {
   npm pack ./build/pelagic-npm --pack-destination "$out"
 }
 
+# Without oneTBB, and with hulls. x86-64 is for emulators, without the code for AVX-512.
+build_android() {
+  local abi libraries=()
+  for abi in "${android_abis[@]}"; do
+    # shellcheck disable=SC2086
+    cmake --preset android -B "build/android-$abi" $from_sources -DPELAGIC_NDK="$PELAGIC_NDK" -DANDROID_ABI="$abi" \
+      -DCMAKE_SHARED_LINKER_FLAGS=-s $([ "$abi" = arm64-v8a ] || echo "-DPELAGIC_ISAS=sse4_2;avx2") ${PELAGIC_ANDROID_OPTIONS:-}
+    cmake --build "build/android-$abi" --target pelagic_shared
+    libraries+=("$abi=build/android-$abi/capi/libpelagic_c.so")
+  done
+  "$packaging/android.py" "$out" "$("$packaging/android_ndk.sh" "$PELAGIC_NDK")" "${libraries[@]}"
+  pack_unity
+}
+
+# Packs the libraries of the parts before it. Android's Unity package is complete only with the part unity.
+pack_unity() {
+  local options=()
+  [ ! -d build/android-arm64-v8a ] || options+=(--android build/android-arm64-v8a/capi/libpelagic_c.so)
+  [ ! -d build/android-x86_64 ] || options+=(--android-x86-64 build/android-x86_64/capi/libpelagic_c.so)
+  python3 unity/pack.py --out "$out" "$@" ${options[@]+"${options[@]}"}
+}
+
 # With the libraries of the archives.
 build_unity() {
   mkdir -p build/unity-package
   tar -xzf "$out/pelagic-$version-linux-x86_64.tar.gz" -C build/unity-package --strip-components=1
   unzip -qo "$out/pelagic-$version-windows-x86_64.zip" -d build/unity-package
-  python3 unity/pack.py --out "$out" --linux "build/unity-package/lib/libpelagic_c.so.$version" \
+  pack_unity --linux "build/unity-package/lib/libpelagic_c.so.$version" \
     --windows "build/unity-package/pelagic-$version-windows-x86_64/bin/pelagic.dll"
 }
 

@@ -17,6 +17,7 @@ newest_glibc=$(sed -nE 's/.*glibc ([0-9.]+[0-9]).*/\1/p' "$source/docs/packages.
 check() {
   [ -e "$2" ] || { echo "there is no $2"; return 1; }
   "$packaging/artefact.py" check "$packaging/files/$1.txt" "$version" "$soversion" "$source" "$2"
+  "$packaging/libraries.py" "$2"
 }
 
 # Prints the first block of a language on a page.
@@ -180,10 +181,30 @@ test_godot3() {
   grep -q "^$(printf %16s "$(sed -n 's/^preset-moderate@12.34 //p' "$source/tests/golden/hashes.txt")" | tr ' ' 0) " <<<"$answer" || { echo "$answer"; return 1; }
 }
 
+# Links the C application for each processor, with the header and the library of the prefab package.
+test_android() {
+  local stem=$dist/pelagic-$version-android tools=$PELAGIC_NDK/toolchains/llvm/prebuilt/linux-x86_64/bin abi
+  check android_aar "$stem.aar"
+  check android_zip "$stem.zip"
+  # With all parts, unity has replaced it, and tests the package as a whole.
+  [[ $parts == *" unity "* ]] || check unity_android "$dist/com.pelagic.ocean-$version.tgz"
+  unzip -q "$stem.aar" -d "$work/aar"
+  for abi in arm64-v8a x86_64; do
+    # Stays, for a device: docs/development/on-hardware.md.
+    local module=$work/aar/prefab/modules/pelagic_c folder=$source/build/android-application/$abi
+    mkdir -p "$folder"
+    cp "$module/libs/android.$abi/libpelagic_c.so" "$folder"
+    "$tools/clang" --target="${abi/arm64-v8a/aarch64}-none-linux-android29" "$source/examples/c_application/main.c" -o "$folder/application" \
+      -I"$module/include" -L"$folder" -lpelagic_c -lm
+  done
+}
+
 # Under mono, because Unity is no package; docs/integrations/unity.md has what was tested.
 test_unity() {
   local package=$dist/com.pelagic.ocean-$version.tgz
-  check unity "$package"
+  local list=unity
+  [[ $parts != *" android "* ]] || list=unity_with_android
+  check $list "$package"
   "$packaging/artefact.py" glibc "$newest_glibc" "$package"
   tar -xzf "$package" -C "$work"
   cd "$work/package"
@@ -193,6 +214,7 @@ test_unity() {
   cd "$source"
 }
 
+parts=" ${*:3} "
 for part in "${@:3}"; do
   echo "== testing $part"
   "test_$part"

@@ -23,9 +23,9 @@ FENCE = re.compile(r"^\s*(```+|~~~+)\s*(\w*)")
 GENERATED = re.compile(r"<!-- generated.*?<!-- /generated -->", re.S)
 INLINE_CODE = re.compile(r"(`+)([^`]+)\1(?!`)")
 COMMAND = re.compile(r"(?:[^#]*?[\s/$\"']|)pelagic\s+([a-z][a-z-]*|(?=-))(?![\w.:=])")
-# Inline options of pelagic-compare, bench/instructions, sbatch, parallel, the OpenXR example and
-# unity/pack.py.
-OTHER_OPTIONS = {"--windows", "--android", "--quick", "--bytes", "--array", "--cpus-per-task", "--mem", "--sshlogin", "--hashes"}
+# Inline options of pelagic-compare, bench/instructions, sbatch, parallel, the OpenXR example,
+# unity/pack.py and release.sh.
+OTHER_OPTIONS = {"--windows", "--android", "--ndk", "--quick", "--bytes", "--array", "--cpus-per-task", "--mem", "--sshlogin", "--hashes"}
 
 
 class Page:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks docs/integrations/vr.md: its C code compiles with the installed header, and its command
-# lines run. headset_build_test.sh tests its build for Android.
+# lines run. android/stand_in_test.sh tests its build for Android.
 #
 # usage: headset_page_test.sh SOURCE_FOLDER PELAGIC C_COMPILER INCLUDE_FOLDER
 set -euo pipefail

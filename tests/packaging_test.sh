@@ -21,6 +21,7 @@ case "$*" in *c_application*) cat "$WORK/lines" ;; esac
 END
 printf '#!/bin/sh\n' >"$work/bin/lintian"
 cp "$work/bin/lintian" "$work/source/packaging/artefact.py"
+cp "$work/bin/lintian" "$work/source/packaging/libraries.py"
 printf '#!/bin/sh\necho 1.0.0\n' >"$work/source/packaging/version.sh"
 chmod +x "$work"/bin/* "$work"/source/packaging/*.{py,sh}
 sed -n '/^```text$/,/^```$/{/^```/!p}' "$source/docs/integrations/windows.md" >"$work/lines"

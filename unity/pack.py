@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Packs the package for Unity: com.pelagic.ocean-VERSION.tgz, which the package manager installs.
 
-usage: pack.py --out FOLDER [--linux FILE] [--windows FILE] [--android FILE]
+usage: pack.py --out FOLDER [--linux FILE] [--windows FILE] [--android FILE] [--android-x86-64 FILE]
 
---linux    libpelagic_c.so for x86-64, built with -DPELAGIC_TBB=OFF
---windows  pelagic.dll for x86-64, built with -DPELAGIC_TBB=OFF
---android  libpelagic_c.so for arm64, built with the NDK (docs/integrations/vr.md)
+--linux           libpelagic_c.so for x86-64, built with -DPELAGIC_TBB=OFF
+--windows         pelagic.dll for x86-64, built with -DPELAGIC_TBB=OFF
+--android         libpelagic_c.so for arm64, built with the NDK (docs/integrations/vr.md)
+--android-x86-64  the same for x86-64
 
 A library that is not given is left out. Equal files give equal bytes.
 """
@@ -26,13 +27,16 @@ NAME = "com.pelagic.ocean"
 # What systems provide. An application would have to bring anything else, for instance oneTBB.
 LINUX_LIBRARIES = {"libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "ld-linux-x86-64.so.2", "libpthread.so.0"}
 ANDROID_LIBRARIES = {"libc.so", "libm.so", "libdl.so", "liblog.so"}
+ANDROID = {"page_bytes": 16384, "api_level": 29}  # pages that Google Play requires; docs/integrations/vr.md has the level
 # Of Unity, by the name that C# loads on each system.
 PLUGINS = {"linux": ("Plugins/Linux/libpelagic_c.so", "x86-64", LINUX_LIBRARIES),
-           "windows": ("Plugins/Windows/pelagic_c.dll", "x86-64", None),
-           "android": ("Plugins/Android/libpelagic_c.so", "arm64", ANDROID_LIBRARIES)}
+           "windows": ("Plugins/Windows/pelagic_c.dll", "x86-64", native_library.WINDOWS_LIBRARIES),
+           "android": ("Plugins/Android/arm64-v8a/libpelagic_c.so", "arm64", ANDROID_LIBRARIES),
+           "android_x86_64": ("Plugins/Android/x86_64/libpelagic_c.so", "x86-64", ANDROID_LIBRARIES)}
 PLATFORMS = {"linux": (("Editor: Editor", "CPU: x86_64", "OS: Linux"), ("Standalone: Linux64", "CPU: x86_64")),
              "windows": (("Editor: Editor", "CPU: x86_64", "OS: Windows"), ("Standalone: Win64", "CPU: x86_64")),
-             "android": (("Android: Android", "CPU: ARM64"),)}
+             "android": (("Android: Android", "CPU: ARM64"),),
+             "android_x86_64": (("Android: Android", "CPU: X86_64"),)}
 IMPORTERS = {".cs": "MonoImporter", ".asmdef": "AssemblyDefinitionImporter", ".json": "PackageManifestImporter", ".md": "TextScriptImporter",
              ".hlsl": "ShaderIncludeImporter", ".shader": "ShaderImporter"}
 
@@ -46,15 +50,11 @@ def checked_library(system, file):
     _, machine, libraries = PLUGINS[system]
     data = pathlib.Path(file).read_bytes()
     try:
-        found, needed, exports = native_library.read_pe(data) if system == "windows" else native_library.read_elf(data)
+        library = (native_library.read_pe if system == "windows" else native_library.read_elf)(data)
     except (native_library.Unreadable, ValueError, IndexError, native_library.struct.error) as error:
         sys.exit(f"pack.py: {file}: {error}")
-    if found != machine:
-        sys.exit(f"pack.py: {file} is for {found}, expected {machine}")
-    if extra := [name for name in needed if name not in libraries]:
-        sys.exit(f"pack.py: {file} needs {', '.join(extra)}, which {system} does not provide")
-    if missing := sorted(functions_of_the_header() - exports):
-        sys.exit(f"pack.py: {file} does not export {missing[0]}: it is not this version of Pelagic")
+    for problem in native_library.problems(library, machine, libraries, functions_of_the_header(), **(ANDROID if "android" in system else {})):
+        sys.exit(f"pack.py: {file} {problem}")
     return data
 
 
@@ -112,7 +112,7 @@ def contents(libraries):
             files[PLUGINS[system][0]] = checked_library(system, file)
             systems[PLUGINS[system][0]] = system
         else:
-            print(f"without {system}: no --{system}")
+            print(f"without {system}: no --{system.replace('_', '-')}")
     return files, systems
 
 
@@ -145,7 +145,7 @@ def main():
     parser = argparse.ArgumentParser(usage=__doc__, add_help=False)
     parser.add_argument("--out", required=True)
     for system in PLUGINS:
-        parser.add_argument(f"--{system}")
+        parser.add_argument(f"--{system.replace('_', '-')}")
     options = vars(parser.parse_args())
     file = pathlib.Path(options.pop("out"), f"{NAME}-{version()}.tgz")
     data = archive(with_metas(*contents(options)))

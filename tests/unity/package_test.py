@@ -13,7 +13,9 @@ import tempfile
 import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-FUNCTIONS = (SOURCE / "tests/abi/pelagic.symbols").read_text().split()
+sys.path.insert(0, str(SOURCE / "tests/android"))
+import native_libraries  # noqa: E402
+from native_libraries import FUNCTIONS  # noqa: E402
 
 
 class Package(unittest.TestCase):
@@ -30,20 +32,11 @@ class Package(unittest.TestCase):
         self.assertEqual(found.returncode, 0, found.stderr)
         return pathlib.Path(found.stdout.splitlines()[-1])
 
-    def library(self, functions=FUNCTIONS, machine=None, needed=""):
-        """A shared library that exports the functions and needs nothing, or one other library."""
-        file, source = self.folder / "library.so", self.folder / "library.c"
-        source.write_text("".join(f"void {name}(void) {{}}\n" for name in functions))
-        other = []
-        if needed:
-            other = [self.folder / needed]
-            subprocess.run([COMPILER, "-shared", "-fPIC", "-nostdlib", f"-Wl,-soname,{needed}", "-xc", "/dev/null", "-o", *other], check=True)
-        subprocess.run([COMPILER, "-shared", "-fPIC", "-nostdlib", "-Wl,--no-as-needed", source, *other, "-o", file], check=True)
-        if machine:
-            data = bytearray(file.read_bytes())
-            data[18:20] = machine.to_bytes(2, "little")
-            file.write_bytes(data)
-        return file
+    def library(self, functions=FUNCTIONS, **options):
+        return native_libraries.build(COMPILER, self.folder / "library.so", functions, **options)
+
+    def android_library(self, **options):
+        return native_libraries.for_android(COMPILER, self.folder / "library.so", **options)
 
     def files(self, archive):
         with tarfile.open(archive) as tar:
@@ -80,18 +73,28 @@ class Package(unittest.TestCase):
         self.assertEqual(self.packed(out="first").read_bytes(), self.packed(out="second").read_bytes())
 
     def test_a_library_that_is_not_given_is_left_out_with_a_line(self):
-        found = self.pack("--android", self.library(machine=183))
-        self.assertEqual(found.stdout.splitlines()[:-1], ["without linux: no --linux", "without windows: no --windows"])
+        found = self.pack("--android", self.android_library(machine=183))
+        self.assertEqual(found.stdout.splitlines()[:-1], ["without linux: no --linux", "without windows: no --windows", "without android_x86_64: no --android-x86-64"])
         plugins = [name for name in self.files(found.stdout.splitlines()[-1]) if name.startswith("Plugins/") and "." in name]
-        self.assertEqual(sorted(plugins), ["Plugins/Android.meta", "Plugins/Android/libpelagic_c.so", "Plugins/Android/libpelagic_c.so.meta"])
+        folder = "Plugins/Android/arm64-v8a"
+        self.assertEqual(sorted(plugins), ["Plugins/Android.meta", f"{folder}.meta", f"{folder}/libpelagic_c.so", f"{folder}/libpelagic_c.so.meta"])
+
+    def test_android_has_a_library_for_each_processor(self):
+        arm64 = self.android_library(machine=183).rename(self.folder / "arm64.so")
+        names = self.files(self.packed("--android", arm64, "--android-x86-64", self.android_library()))
+        for folder, cpu in (("arm64-v8a", b"CPU: ARM64"), ("x86_64", b"CPU: X86_64")):
+            self.assertIn(cpu + b"\n", names[f"Plugins/Android/{folder}/libpelagic_c.so.meta"])
+        self.assertEqual(names["Plugins/Android/arm64-v8a/libpelagic_c.so"], arm64.read_bytes())
 
     def test_a_library_that_unity_cannot_load_is_rejected(self):
         text = self.folder / "text.so"
         text.write_text("not a library")
         rejected = [
-            (("--android", lambda: self.library()), "is for x86-64, expected arm64"),
+            (("--android", lambda: self.android_library()), "is for x86-64, expected arm64"),
+            (("--android", lambda: self.android_library(machine=183, page_bytes=4096)), "aligns LOAD segment 0 to 4096 bytes, expected 16384"),
+            (("--android-x86-64", lambda: self.android_library(needed="libc++_shared.so")), "needs libc++_shared.so, which the system does not provide"),
             (("--linux", lambda: self.library(FUNCTIONS[1:])), f"does not export {FUNCTIONS[0]}: it is not this version of Pelagic"),
-            (("--linux", lambda: self.library(needed="libtbb.so.12")), "needs libtbb.so.12, which linux does not provide"),
+            (("--linux", lambda: self.library(needed="libtbb.so.12")), "needs libtbb.so.12, which the system does not provide"),
             (("--linux", lambda: text), "not a 64-bit ELF file"),
             (("--windows", lambda: self.library()), "not a DLL"),
         ]
