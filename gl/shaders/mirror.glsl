@@ -32,12 +32,12 @@ struct SeenFacets {
 // horizon.
 SeenFacets seen_facets(float mu, float s) {
     float spread = max(s * sqrt(max(1.0 - mu * mu, 0.0)), 1e-4);
-    float a = clamp(mu / spread, -3.0, 1e4);
+    float a = clamp(mu / spread, -2.0, 1e4);  // below, the approximations fail
     float density = 0.3989423 * exp(-0.5 * a * a);
     // Page 1977, with an error of at most 1.4e-4.
     float distribution = 1.0 / (1.0 + exp(-1.5976 * a - 0.070566 * a * a * a));
     float q = distribution / max(a * distribution + density, 1e-4);
-    return SeenFacets(s * q, mu + spread * q, spread * spread * max(2.0 - a * q - q * q, 0.0));
+    return SeenFacets(s * q, spread * (a + q), spread * spread * max(2.0 - a * q - q * q, 0.0));
 }
 
 // Returns the mean Fresnel reflectance of the visible facets. It is that of one facet slightly more
