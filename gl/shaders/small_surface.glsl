@@ -37,5 +37,5 @@ Waves waves_at(vec2 at, float distance_m) {
     float a = length(pixel.dx), b = length(pixel.dy);
     Bumps seen = small_bumps(at, max(min(a, b), 0.5 * max(a, b)));
     vec2 slopes = -seen.gradient / max(1.0, length(seen.gradient) / 4.0);
-    return Waves(slopes, clamp(seen.unresolved, 0.0004, 1.0), SURFACE == COAST ? seen.crest * bump_kind.y : 0.0, 0.0);
+    return Waves(slopes, clamp(seen.unresolved, 0.0004, 1.0), seen.unresolved, SURFACE == COAST ? seen.crest * bump_kind.y : 0.0, 0.0);
 }

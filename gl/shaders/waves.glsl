@@ -156,6 +156,7 @@ vec2 normal_slopes(Slopes sum) {
 struct Waves {
     vec2 slopes;   // with the sign of the normal
     float alpha2;  // alpha^2: mean square of the slopes that the pixel does not resolve
+    float ripples;  // of these, the mean square of ripples
     // Fraction of the pixel that foam of small water or of dynamic waves covers.
     float crests;
     float compression;  // of the cascades, in standard deviations (snapshot_foam.glsl)
@@ -196,7 +197,15 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
 #ifdef SHORE
     slopes_of_all -= shore.water.yz;
 #endif
-    return Waves(slopes_of_all, sum.variance, 0.0, compression);
+    return Waves(slopes_of_all, sum.variance, 0.0, 0.0, compression);
+}
+
+// Returns the width of a sample of ripples, metres. Samples lie along the longer side of the
+// footprint, and together they cover it. Ripples of two pixels would show as noise, and the glints
+// on them as single pixels, so samples are wider than a pixel.
+float ripple_sample_m(Footprint pixel) {
+    float x2 = dot(pixel.dx, pixel.dx), y2 = dot(pixel.dy, pixel.dy);
+    return 1.45 * max(sqrt(min(x2, y2)), 0.5 * sqrt(max(x2, y2))) + 1e-6;
 }
 
 // Returns a layer of ripples: slopes in xy, and in w the fraction of their mean square that the
@@ -206,16 +215,16 @@ vec4 layer_of_ripples(int layer, vec2 at, Footprint pixel) {
     vec2 row = detail_turn[layer].xy;
     mat2 turn = mat2(row.x, -row.y, row.y, row.x);
     vec2 uv = turn * at + (layer == 0 ? detail_shift.xy : detail_shift.zw);
-    float tiles_per_m = length(row);
-    float mip = log2(pixel.wide_m * tiles_per_m * 256.0);
+    float mip = log2(ripple_sample_m(pixel) * length(row) * 256.0);
 #if SHADING == HIGH
     vec2 noise_uv = turn * at / ripple_noise_tiles + (layer == 0 ? detail_noise.xy : detail_noise.zw);
     Copies copies = copies_along(16.0 * (textureLod(detail, noise_uv, 5.0).z - 0.5));
-    mat2 sides = turn * sides_of(pixel, 1.0 / (256.0 * tiles_per_m), 1.0 / tiles_per_m);
-    vec4 a = textureLod(detail, uv + copies.first + sides * sample_places[0], mip);
-    vec4 b = textureLod(detail, uv + copies.first + sides * sample_places[2], mip);
-    vec4 c = textureLod(detail, uv + copies.second + sides * sample_places[1], mip);
-    vec4 d = textureLod(detail, uv + copies.second + sides * sample_places[3], mip);
+    vec2 off = turn * (dot(pixel.dx, pixel.dx) > dot(pixel.dy, pixel.dy) ? pixel.dx : pixel.dy);
+    off *= 0.25 / max(length(off), 1.0);
+    vec4 a = textureLod(detail, uv + copies.first - off, mip);
+    vec4 b = textureLod(detail, uv + copies.first + off, mip);
+    vec4 c = textureLod(detail, uv + copies.second - off, mip);
+    vec4 d = textureLod(detail, uv + copies.second + off, mip);
     vec2 first = a.xy + b.xy - 1.0, second = c.xy + d.xy - 1.0;
     vec2 apart = vec2(dot(a.xy - b.xy, a.xy - b.xy), dot(c.xy - d.xy, c.xy - d.xy));
     // Slopes are stored with a standard deviation of 1/4, so their mean square is 1/16.
@@ -264,7 +273,8 @@ void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
     float mean_square = water_backscattering.w;
     seen.slopes += sqrt(gust * mean_square * 0.5) * 4.0 * slopes;
     float rest = max(waves.y * waves.y - mean_square, 0.0);
-    seen.alpha2 = clamp(seen.alpha2 + rest + gust * mean_square * (1.0 - shown), 0.0004, 1.0);
+    seen.ripples = gust * mean_square * (1.0 - shown);
+    seen.alpha2 = clamp(seen.alpha2 + rest + seen.ripples, 0.0004, 1.0);
 }
 
 #if SURFACE == OPEN

@@ -22,16 +22,16 @@ constexpr int detail_side = DetailImage::side;
 void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     std::vector<glm::vec2> slopes(texels.size(), glm::vec2(0));
     for (int wave = 0; wave < 96; ++wave) {
-        // Wave numbers are uniformly distributed in their logarithm. Slopes fall slowly with the
-        // wave number, as in the saturation range, where the slope spectrum per logarithmic
-        // interval is constant.
-        const float k = 3 * std::pow(72.f / 3, (static_cast<float>(wave) + uniform(engine)) / 96);
-        // The sum of three uniform numbers approximates a normal distribution, here of 45 degrees
-        // around the wind.
+        // Wave numbers are uniformly distributed in their logarithm. The slope spectrum per
+        // logarithmic interval is constant in the saturation range. It falls where viscosity and
+        // surface tension damp waves, below about 5 cm.
+        const float k = DetailImage::longest_ripple *
+                        std::pow(static_cast<float>(DetailImage::shortest_ripple) / DetailImage::longest_ripple,
+                                 (static_cast<float>(wave) + uniform(engine)) / 96);
         const float angle = (uniform(engine) + uniform(engine) + uniform(engine) - 1.5f) * 1.6f;
         const float kx = std::round(k * std::cos(angle)), kz = std::round(k * std::sin(angle));
         const float phase = uniform(engine), length = std::max(1.f, std::hypot(kx, kz));
-        const glm::vec2 along = glm::vec2(kx, kz) / length * std::pow(length / 3, -0.2f);
+        const glm::vec2 along = glm::vec2(kx, kz) / length * std::min(1.f, DetailImage::damped_ripple / length);
         for (int z = 0; z < detail_side; ++z)
             for (int x = 0; x < detail_side; ++x)
                 slopes[static_cast<std::size_t>(z * detail_side + x)] +=

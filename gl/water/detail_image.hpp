@@ -15,6 +15,10 @@ namespace pelagic::gl {
 struct DetailImage {
     static constexpr int side = 256;
     static constexpr int levels = 9;
+    /// Ripples, cycles per period: the longest and the shortest, and those from which slopes fall
+    /// with the wave number.
+    static constexpr int longest_ripple = 3, shortest_ripple = 24;
+    static constexpr float damped_ripple = 8.5f;
     /// RGBA8, level by level, rows without padding.
     std::vector<std::uint8_t> texels;
 
@@ -23,7 +27,7 @@ struct DetailImage {
 
 /// Generates the image. The bytes are identical on every call on one machine.
 ///
-/// The ripples are a sum of 96 waves of 3 to 72 cycles per period, with directions spread around
+/// The ripples are a sum of 96 waves of 3 to 24 cycles per period, with directions spread around
 /// +x. The noise combines the distances to the nearest and second nearest of random points (Worley
 /// 1996, "A Cellular Texture Basis Function") at four sizes.
 DetailImage make_detail_image();

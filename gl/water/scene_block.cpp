@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "pelagic/gl/water/detail_image.hpp"
 #include "pelagic/gl/water/foam_image.hpp"
 #include "pelagic/gl/water/sea_renderer.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
@@ -24,9 +25,11 @@ constexpr float sun_radius_rad = 0.00465f;
 /// Fraction of the unresolved (subgrid) mean square slope that ripples represent. Waves of the
 /// remainder are shorter than ripples.
 constexpr float detail_fraction = 0.75f;
-/// Period of the ripples in texels of the finest cascade. The longest ripples, a third of the
-/// period, are as long as the shortest waves of the cascade.
+/// Least period of the longer ripples in texels of the finest cascade. The longest ripples, a third
+/// of the period, are then as long as the shortest waves of the cascade.
 constexpr double detail_texels = 6;
+/// Shortest ripple: the wave of least phase speed (Lamb 1932, "Hydrodynamics", section 267).
+constexpr double shortest_ripple_m = 0.017;
 /// Period, in ripple periods, of the noise that offsets the texture coordinates of ripples.
 /// scene.glsl has this number too.
 constexpr double ripple_noise_tiles = 13;
@@ -73,7 +76,8 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     const double loop = fraction(facts.time_s / sea.loop_period_s);
     glm::dvec2 shifts[2], noise[2];
     for (int layer = 0; layer < 2; ++layer) {
-        const double tile_m = detail_texels * texel_m / (layer == 0 ? 1 : golden * golden * golden);
+        const double fine_m = DetailImage::shortest_ripple * shortest_ripple_m;
+        const double tile_m = layer == 0 ? std::max(detail_texels * texel_m, std::sqrt(golden) * fine_m) : fine_m;
         const double angle = sea.wind_direction_rad + layer_turns_rad[layer];
         // Ripples travel with the speed of deep-water waves of a tenth of the period. They cover a
         // whole number of periods in a loop.

@@ -9,6 +9,8 @@ namespace Pelagic
     public static class DetailTextures
     {
         public const int Side = 256, Levels = 9;
+        /// <summary>Least period of ripples, metres: the shortest wave is close to 17 mm, the slowest.</summary>
+        public const double RipplesM = 0.519;
 
         /// <summary>
         /// Ripples: slopes along x and z as (byte / 255) 2 - 1, with standard deviation 1/4 at level 0; 0; the
@@ -20,11 +22,11 @@ namespace Pelagic
             float[] x = new float[Side * Side], z = new float[Side * Side];
             for (var wave = 0; wave < 96; ++wave)
             {
-                // Wave numbers are uniform in their logarithm. The spectrum of slopes is nearly flat there.
-                var k = 3 * Math.Pow(72 / 3.0, (wave + random.NextDouble()) / 96);
+                // Wave numbers are uniform in their logarithm. The spectrum of slopes is flat, and falls below 6 cm.
+                var k = 3 * Math.Pow(24 / 3.0, (wave + random.NextDouble()) / 96);
                 var angle = (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5) * 1.6;
                 double kx = Math.Round(k * Math.Cos(angle)), kz = Math.Round(k * Math.Sin(angle)), phase = random.NextDouble();
-                double length = Math.Max(1, Math.Sqrt(kx * kx + kz * kz)), slope = Math.Pow(length / 3, -0.2) / length;
+                double length = Math.Max(1, Math.Sqrt(kx * kx + kz * kz)), slope = Math.Min(1, 8.5 / length) / length;
                 for (var j = 0; j < Side; ++j)
                     for (var i = 0; i < Side; ++i)
                     {

@@ -135,7 +135,7 @@ namespace Pelagic.Unity
             Material.SetVector(wavesId, Vector(Math.Max(0.05, waveHeightM), frame.Roughness, 0, 0));
 
             // Ripples run downwind at the speed of deep-water waves of a tenth of their period, and repeat in a loop.
-            double loop = Fraction(frame.TimeS / sea.LoopPeriodS), rippleM = 6 * texelM, angle = sea.WindDirectionRad + 0.21;
+            double loop = Fraction(frame.TimeS / sea.LoopPeriodS), rippleM = Math.Max(6 * texelM, DetailTextures.RipplesM), angle = sea.WindDirectionRad + 0.21;
             double cosine = Math.Cos(angle), sine = Math.Sin(angle), speed = Math.Sqrt(Gravity * rippleM / 10 / (2 * Math.PI));
             var moved = Math.Round(speed * sea.LoopPeriodS / rippleM) * loop;
             Material.SetVector(rippleTurnId, Vector(cosine / rippleM, sine / rippleM, cosine, sine));

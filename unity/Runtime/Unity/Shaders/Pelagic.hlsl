@@ -146,6 +146,7 @@ PelagicVertex PelagicVertexOf(uint number, int2 ij) {
 struct PelagicFootprint {
     float length_m;  // the longer side
     float wide_m;    // width of a sample
+    float ripple_m;  // width of a sample of ripples
 };
 
 PelagicFootprint PelagicFootprintOf(float2 rest) {
@@ -154,6 +155,7 @@ PelagicFootprint PelagicFootprintOf(float2 rest) {
     PelagicFootprint pixel;
     pixel.length_m = sqrt(max(x2, y2));
     pixel.wide_m = max(sqrt(sqrt(x2 * y2)), 0.25 * max(pixel.length_m, 1e-6));
+    pixel.ripple_m = 1.45 * max(sqrt(min(x2, y2)), 0.5 * pixel.length_m) + 1e-6;
     return pixel;
 }
 
@@ -186,7 +188,7 @@ PelagicWaves PelagicWavesAt(float2 at, float4 coarsest, PelagicFootprint pixel) 
     // Ripples show a fraction of the roughness as slopes where pixels are small enough.
     float4 turn = _PelagicRippleTurn;
     float2 uv = float2(turn.x * at.x + turn.y * at.y, turn.x * at.y - turn.y * at.x) + _PelagicDetailPlace.xy;
-    float mip = log2(pixel.wide_m * length(turn.xy) * 256.0);
+    float mip = log2(pixel.ripple_m * length(turn.xy) * 256.0);
     float4 ripples = _PelagicRipples.SampleLevel(sampler_PelagicRipples, uv, mip);
     float shown = saturate(7.0 - mip), mean_square = _PelagicBackscattering.w;
     float2 slopes = (ripples.xy * 2.0 - 1.0) * (shown * sqrt(2.0));
@@ -211,13 +213,13 @@ struct PelagicFacets {
 
 PelagicFacets PelagicSeenFacets(float mu, float s) {
     float spread = max(s * sqrt(max(1.0 - mu * mu, 0.0)), 1e-4);
-    float a = clamp(mu / spread, -3.0, 1e4);
+    float a = clamp(mu / spread, -2.0, 1e4);
     float density = 0.3989423 * exp(-0.5 * a * a);
     float distribution = 1.0 / (1.0 + exp(-1.5976 * a - 0.070566 * a * a * a));
     float q = distribution / max(a * distribution + density, 1e-4);
     PelagicFacets seen;
     seen.slope = s * q;
-    seen.cosine = mu + spread * q;
+    seen.cosine = spread * (a + q);
     seen.cosine_variance = spread * spread * max(2.0 - a * q - q * q, 0.0);
     return seen;
 }
