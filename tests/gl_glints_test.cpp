@@ -2,6 +2,7 @@
 // count, and both eyes see the same.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -71,7 +72,7 @@ TEST_F(GlGlints, HaveTheMeanOfTheSmoothLobe) {
             "    vec3 normal = normalize(tilted + vec3(0.0, 0.0, " + std::to_string(tilt) + "));\n"
             "    at = gl_FragCoord.xy * vec2(0.021, 0.013);\n"
             "    float a = glint(normal, to_eye, 0.008);\n"
-            "    float b = sparkling_glint(at, vec2(0.021, 0.0), vec2(0.0, 0.013), normal, to_eye, 0.008);\n"
+            "    float b = sparkling_glint(at, vec2(0.021, 0.0), vec2(0.0, 0.013), normal, to_eye, 0.008, 0.008);\n"
             "    result = vec4(b / a, a, 0.0, 1.0);\n");
         const Moments found = moments_of(values, 0);
         std::printf("tilt %.2f: mean %.4f, deviation %.2f\n", tilt, found.mean, std::sqrt(found.variance));
@@ -79,6 +80,54 @@ TEST_F(GlGlints, HaveTheMeanOfTheSmoothLobe) {
         EXPECT_NEAR(found.mean, 1, 5 * std::sqrt(found.variance * 5 / static_cast<double>(glint_positions))) << tilt;
         EXPECT_GT(found.variance, 0.01) << tilt;
     }
+}
+
+// The area of a footprint grows with the third power of the distance, and the deviation of a count
+// falls with its root: by 1.48 for a factor of 1.3. Ten per cent are left for the sample.
+TEST_F(GlGlints, ChangeSlowlyWithTheDistance) {
+    double before = 0;
+    for (double distance_m = 8; distance_m < 25; distance_m *= 1.3) {
+        // Pixels of 480 x 270 over 60 degrees, from 3 m.
+        const double wide = distance_m * 0.0043, length = wide * distance_m / 3;
+        const std::vector<float> values = counted(
+            "    vec3 to_eye = normalize(vec3(-0.9, 0.4, 0.1)), tilted = normalize(sun.xyz + to_eye);\n"
+            "    vec3 normal = normalize(tilted + vec3(0.0, 0.0, 0.35));\n"
+            "    float b = sparkling_glint(at * 7.0, vec2(" + std::to_string(wide) + ", 0.0), vec2(0.0, " +
+            std::to_string(length) + "), normal, to_eye, 0.015, 0.006);\n"
+            "    result = vec4(b / glint(normal, to_eye, 0.015));\n");
+        const double deviation = std::sqrt(moments_of(values, 0).variance);
+        std::printf("%.1f m: deviation %.3f\n", distance_m, deviation);
+        if (before > 0) {
+            EXPECT_NEAR(before / deviation, 1.3, 0.33) << distance_m;
+        }
+        before = deviation;
+    }
+}
+
+// Rows of the probe are footprints over a factor of two, as rows of an image are. At no row do many
+// positions change their glints at once.
+TEST_F(GlGlints, ChangeNowhereAlongARow) {
+    const auto at_rows = [](double row) {
+        return counted("    vec2 size = vec2(0.02, 0.06) * exp2((gl_FragCoord.y + " + std::to_string(row) +
+                       ") / 128.0);\n    at.y = 3.0 * fract(0.618 * at.x / 0.37);\n"
+                       "    float a = counted_glints(at, vec2(size.x, 0.0), vec2(0.0, size.y), 2.0);\n"
+                       "    result = vec4(a);\n");
+    };
+    const std::vector<float> here = at_rows(0), next = at_rows(1);
+    double most = 0, all = 0;
+    for (int row = 0; row < GlProbe::side; ++row) {
+        int changed = 0;
+        for (int x = 0; x < GlProbe::side; ++x) {
+            const auto i = 4 * static_cast<std::size_t>(row * GlProbe::side + x);
+            changed += std::abs(here[i] - next[i]) > 0.02;
+        }
+        most = std::max(most, changed / double{GlProbe::side});
+        all += changed / double{GlProbe::side} / GlProbe::side;
+    }
+    std::printf("%.3f of a row's glints change, at most %.3f\n", all, most);
+    EXPECT_GT(all, 0.005);
+    // Binomial with a mean of some per cent; a common change would be most of a row.
+    EXPECT_LE(most, 0.25);
 }
 
 // Eyes are 64 mm apart. At 10 m that changes a slope by 0.003, and with it the probability by 3 %,

@@ -168,7 +168,7 @@ void main() {
     mirrored = with_mirrored_scene(mirrored, at, normal, to_eye, surface.alpha2, water_light);
 #endif
 #ifdef COUNTED_GLINTS
-    float sun_glint = sparkling_glint(resting, pixel.dx, pixel.dy, normal, to_eye, surface.alpha2);
+    float sun_glint = sparkling_glint(resting, pixel.dx, pixel.dy, normal, to_eye, surface.alpha2, surface.ripples);
 #else
     float sun_glint = glint(normal, to_eye, surface.alpha2);
 #endif
