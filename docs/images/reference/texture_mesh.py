@@ -2,8 +2,8 @@
 # slopes of ripples below the exported wavelengths.
 #
 # Waves too short for a cell are removed in Fourier space, and their mean square slope becomes the
-# vertex's roughness. Ripples are a Gaussian field down to the wavelength of Pelagic's glints
-# (gl/shaders/glints.glsl). Each octave has the same mean square slope, as in the saturation range.
+# vertex's roughness. Ripples are a Gaussian field. Each octave has the same mean
+# square slope, as in the saturation range.
 import json
 import math
 from pathlib import Path
