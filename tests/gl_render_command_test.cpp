@@ -376,6 +376,8 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
         {{"--out", "a.png", "--sun", "3"},
          "pelagic: --sun is 3, expected AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
         {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, expected a fraction in [0, 1]\n"},
+        {{"--out", "a.png", "--cloud-seed", "-1"},
+         "pelagic: --cloud-seed is -1, expected a whole number from 0 to 4294967295\n"},
         {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, expected a whole number from 1 to 100000\n"},
         {{"--out", "a.png", "--floor", "reef.jpg"},
          "pelagic: --floor is reef.jpg, expected a PNG or EXR image, each side from 2 to 4096 pixels\n"},
