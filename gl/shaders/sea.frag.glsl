@@ -161,7 +161,8 @@ void main() {
 #endif
 
     float mirrors = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
-    float lip = smoothstep(foam_kind.x - 1.5, foam_kind.x - 0.2, surface.compression);
+    float lip = smoothstep(max(foam_kind.x - 1.5, 0.8), max(foam_kind.x - 0.2, 1.8), surface.compression) *
+                smoothstep(0.05, 0.35, height / waves.x);
     water_light += through_crests(normal, to_eye, height, lip);
     vec3 mirrored = mirrored_light(normal, to_eye, surface.alpha2, water_light);
 #ifdef MIRRORS_SCENE

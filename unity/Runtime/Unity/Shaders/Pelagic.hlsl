@@ -309,7 +309,7 @@ float3 PelagicThroughCrests(float3 normal, float3 to_eye, float height, float li
     float depth = max(0.31 * _PelagicWaves.x - height, 0.0);
     float3 k = PelagicAttenuation();
     float3 path = min(0.6 + 0.7 * _PelagicWaves.x * k, 1.0) / k;
-    return away * (_PelagicBackscattering.rgb * path * exp(k * (depth * _PelagicCrestRay.w)) + 0.56 * lip * exp(-2.8 * k)) * (scattered * _PelagicCrestSun.rgb + _PelagicCrestSky.rgb);
+    return away * (_PelagicBackscattering.rgb * path * exp(k * (depth * _PelagicCrestRay.w)) + 0.95 * lip * exp(-2.8 * k)) * (scattered * _PelagicCrestSun.rgb + _PelagicCrestSky.rgb);
 }
 
 // ---- Foam: snapshot_foam.glsl, foam.glsl -------------------------------------------------------
@@ -388,9 +388,10 @@ float3 PelagicRadiance(PelagicVertex pixel, float3 eye) {
     float3 normal = normalize(float3(waves.slopes.x, 1.0, waves.slopes.y));
     float alpha_of_all = PelagicAlphaOfAll();
     float mirrors = PelagicMeanFresnel(saturate(dot(normal, to_eye)), sqrt(0.5 * waves.alpha2));
-    float3 water_light = PelagicUpwelling(normal, to_eye, pixel.coarsest.xy) +
-                         PelagicThroughCrests(normal, to_eye, pixel.place.y + PelagicViewerHeight(),
-                                              smoothstep(_PelagicFoamKind.x - 1.5, _PelagicFoamKind.x - 0.2, waves.compression));
+    float height = pixel.place.y + PelagicViewerHeight();
+    float lip = smoothstep(max(_PelagicFoamKind.x - 1.5, 0.8), max(_PelagicFoamKind.x - 0.2, 1.8), waves.compression) *
+                smoothstep(0.05, 0.35, height / _PelagicWaves.x);
+    float3 water_light = PelagicUpwelling(normal, to_eye, pixel.coarsest.xy) + PelagicThroughCrests(normal, to_eye, height, lip);
     float3 mirrored = PelagicMirroredLight(normal, to_eye, waves.alpha2, alpha_of_all, water_light);
     float3 radiance = lerp(water_light, mirrored, mirrors) + _PelagicSunIrradiance.rgb * PelagicGlint(normal, to_eye, waves.alpha2, alpha_of_all);
     float foam = PelagicFoamCover(pixel.rest, waves.compression, footprint.wide_m);
