@@ -209,7 +209,7 @@ TEST_F(GlGale, SkyAroundTheSunIsNotClipped) {
 
 // Sides of waves of 30 m and more towards the light and away from it differ by at least half a stop,
 // a bound of the same review: from 6 m the shape of waves must be visible. The slopes are means over
-// 15 m, half of the shortest of these waves. Without sunlight on the water they differ by 0.3 stops.
+// 15 m, half of the shortest of these waves. Without sunlight on the water they differ by 0.47 stops.
 TEST_F(GlGale, SidesOfLongWavesDiffer) {
     const gl::LightPreset& preset = *gl::light_preset_named("storm");
     const double azimuth = preset.sky.sun_azimuth_rad;

@@ -38,16 +38,17 @@ vec3 upwelling(vec3 normal, vec3 to_eye) {
 // distribution, whose mean is 0.31 times the significant wave height.
 //
 // The constants of the path fit docs/images/reference/crest_light.csv. A lip that is about to break
-// (`lip`, 0 to 1) is thin and full of bubbles: light crosses 2.8 m of water whose bubbles backscatter
-// 0.34 / m, twice those of an older plume (light_of_plume()). The factor is fitted to a requirement:
-// in a gale the top fifth of a crest passes twice the light of half its height.
+// (`lip`, 0 to 1) is thin and full of bubbles, and light crosses about 1.5 m of its water. Steep faces
+// are thin. The factor is fitted to a requirement: in a gale the top fifth of a crest passes twice the
+// light of half its height.
 vec3 through_crests(vec3 normal, vec3 to_eye, float height, float lip) {
-    float away = clamp(6.0 * dot(normal.xz, crest_ray.xz), 0.0, 1.0);
+    float steep = dot(normal.xz, crest_ray.xz), away = clamp(6.0 * steep, 0.0, 1.0);
+    lip *= clamp(2.5 * steep, 0.0, 1.0);
     float narrow = max(1.0 + dot(refract(-to_eye, normal, 1.0 / water_index), crest_ray.xyz), 0.1);
     float scattered = max(0.27 * inversesqrt(narrow * narrow * narrow) - 0.18, 0.0);
     float depth = max(0.31 * waves.x - height, 0.0);
     vec3 k = attenuation_of_water();
     vec3 path = min(0.6 + 0.7 * waves.x * k, 1.0) / k;
-    return away * (water_backscattering.rgb * path * exp(k * (depth * crest_ray.w)) + 0.95 * lip * exp(-2.8 * k)) *
+    return away * (water_backscattering.rgb * path * exp(k * (depth * crest_ray.w)) + 1.6 * lip * exp(-1.5 * k)) *
            (scattered * sunlit * crest_sun.rgb + crest_sky.rgb);
 }

@@ -303,13 +303,14 @@ float3 PelagicUpwelling(float3 normal, float3 to_eye, float2 long_slopes) {
 }
 
 float3 PelagicThroughCrests(float3 normal, float3 to_eye, float height, float lip) {
-    float away = saturate(6.0 * dot(normal.xz, _PelagicCrestRay.xz));
+    float steep = dot(normal.xz, _PelagicCrestRay.xz), away = saturate(6.0 * steep);
+    lip *= saturate(2.5 * steep);
     float narrow = max(1.0 + dot(refract(-to_eye, normal, 1.0 / pelagic_water_index), _PelagicCrestRay.xyz), 0.1);
     float scattered = max(0.27 * rsqrt(narrow * narrow * narrow) - 0.18, 0.0);
     float depth = max(0.31 * _PelagicWaves.x - height, 0.0);
     float3 k = PelagicAttenuation();
     float3 path = min(0.6 + 0.7 * _PelagicWaves.x * k, 1.0) / k;
-    return away * (_PelagicBackscattering.rgb * path * exp(k * (depth * _PelagicCrestRay.w)) + 0.95 * lip * exp(-2.8 * k)) * (scattered * _PelagicCrestSun.rgb + _PelagicCrestSky.rgb);
+    return away * (_PelagicBackscattering.rgb * path * exp(k * (depth * _PelagicCrestRay.w)) + 1.6 * lip * exp(-1.5 * k)) * (scattered * _PelagicCrestSun.rgb + _PelagicCrestSky.rgb);
 }
 
 // ---- Foam: snapshot_foam.glsl, foam.glsl -------------------------------------------------------
