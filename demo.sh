@@ -3,6 +3,7 @@
 #
 #   ./demo.sh                              a looping sea on disk, in out/
 #   ./demo.sh web [PORT] [--build-only]    the sea in a page, served on localhost until Ctrl-C
+#   ./demo.sh web [PORT] --https           the same for a headset of the network
 set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
@@ -29,11 +30,12 @@ show_percentage() {
 }
 
 serve_page() {
-  local port=0 serves=1 word
+  local port=0 serves=1 https=() word
   for word in "$@"; do
     case "$word" in
       --build-only) serves= ;;
-      *[!0-9]* | '') echo "demo.sh web: what is $word? A port or --build-only is accepted" && exit 2 ;;
+      --https) https=(--https) ;;
+      *[!0-9]* | '') echo "demo.sh web: what is $word? A port, --https or --build-only is accepted" && exit 2 ;;
       *) port=$word ;;
     esac
   done
@@ -43,7 +45,7 @@ serve_page() {
   quietly build
   [ -n "$serves" ] || return 0
   echo "The page is served at this address until Ctrl-C:"
-  exec node web/page/serve.mjs build/web/page "$port"
+  exec node web/page/serve.mjs build/web/page "$port" ${https[@]+"${https[@]}"}
 }
 
 if [ "${1:-}" = web ]; then

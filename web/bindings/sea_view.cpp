@@ -1,6 +1,7 @@
 #include "pelagic/web/bindings/sea_view.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "pelagic/gl/gl_state_guard.hpp"
 #include "pelagic/gl/stopwatch.hpp"
@@ -24,8 +25,19 @@ SeaView::SeaView(const gl::Functions& gl, const SeaState& sea, const ViewOptions
 }
 
 void SeaView::set_sea(const SeaState& sea) {
+    make_ocean(sea);
+    if (options_.hull) options_.hull->release();
+}
+
+void SeaView::make_ocean(const SeaState& sea) {
+    const bool floats = options_.hull.has_value();
     auto next = std::make_unique<Ocean>(
-        sea, OceanOptions{.executor = executor_, .queries = true, .slopes = true, .foam = options_.foam});
+        sea, OceanOptions{.executor = executor_,
+                          .queries = true,
+                          .velocities = floats ? Velocities::water : Velocities::none,
+                          .depth = floats,
+                          .slopes = true,
+                          .foam = options_.foam});
     const bool fits =
         pass_ && next->resolution() == ocean_->resolution() && next->cascade_count() == ocean_->cascade_count();
     ocean_ = std::move(next);
@@ -37,6 +49,20 @@ void SeaView::set_sea(const SeaState& sea) {
             .resolution = ocean_->resolution(), .cascades = ocean_->cascade_count(), .shading = options_.shading},
         quadtree_);
     if (sky_) pass_->renderer().set_sky(*sky_);
+}
+
+void SeaView::set_hull(std::optional<MooredHull> hull) {
+    const bool floated = options_.hull.has_value();
+    options_.hull = std::move(hull);
+    if (options_.hull && !floated) make_ocean(SeaState(ocean_->sea()));
+}
+
+void SeaView::set_detail(const std::string& quality, gl::Shading shading) {
+    options_.quality = quality;
+    options_.shading = shading;
+    quadtree_ = quadtree_preset_named(quality)->options(options_.size_m);
+    pass_->set_quadtree(quadtree_);
+    pass_->renderer().set_shading(shading);
 }
 
 void SeaView::show(const gl::Sky& sky) {
@@ -77,6 +103,7 @@ void SeaView::simulate(double time_s) {
     if (!sky_) set_light({}, 0);
     const gl::Stopwatch watch;
     frame_ = &ocean_->frame_at(time_s);
+    if (options_.hull) options_.hull->follow(*frame_, time_s);
     simulate_ms_ = watch.milliseconds();
     pass_->upload(*frame_);
 }

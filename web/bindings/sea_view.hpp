@@ -14,6 +14,7 @@
 #include "pelagic/jobs/sliced_executor.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
+#include "pelagic/web/bindings/moored_hull.hpp"
 
 namespace pelagic::web {
 
@@ -23,6 +24,7 @@ struct ViewOptions {
     gl::Shading shading = gl::Shading::medium;  ///< cost of a pixel
     int sky_face_size = 256;                    ///< texels a side of the sky; 2^n, 16 to 2048
     bool foam = true;                           ///< 10 to 20 % of a frame
+    std::optional<MooredHull> hull = {};        ///< floats by forces
 };
 
 class SeaView {
@@ -33,6 +35,14 @@ class SeaView {
     /// Replaces the sea from the next frame on. Keeps the pass if resolution and number of cascades
     /// are equal. Throws std::invalid_argument and changes nothing then.
     void set_sea(const SeaState& sea);
+    /// Replaces the hull from the next frame on. The ocean is made again if it has computed no water
+    /// below the surface, which hulls need, and is to.
+    void set_hull(std::optional<MooredHull> hull);
+    /// Returns the hull as of the last simulate(), or null.
+    const MooredHull* hull() const { return options_.hull ? &*options_.hull : nullptr; }
+    /// Sets mesh and shading. Shaders and textures are kept.
+    /// \param quality  name of a quadtree preset
+    void set_detail(const std::string& quality, gl::Shading shading);
     /// Starts to bake a sky, which is drawn when it is complete. Replaces a sky that waits. Until
     /// the first sky is complete, a coarse sky without clouds is drawn. Throws
     /// std::invalid_argument.
@@ -49,7 +59,7 @@ class SeaView {
     /// Returns the factor of radiance under that sky.
     float exposure() const;
 
-    /// Computes a frame and uploads it.
+    /// Computes a frame and uploads it. The hull follows (MooredHull::follow()).
     void simulate(double time_s);
     double simulate_ms() const { return simulate_ms_; }
     /// Returns the frame of the last simulate(); null after set_sea().
@@ -63,6 +73,7 @@ class SeaView {
     void draw(std::span<const gl::Eye> eyes, std::optional<float> exposure);
 
    private:
+    void make_ocean(const SeaState& sea);
     void show(const gl::Sky& sky);
 
     const gl::Functions& gl_;

@@ -11,9 +11,17 @@
 //
 // Options of SeaView are those of a sea (sim/sea_state.hpp) in camelCase, with `preset`, `waves`,
 // `spectrum` and `spreading` by name, and of the image: `quality` ('low', 'medium', 'high' or
-// 'ultra'), `sizeM`, `shading` ('headset', 'medium' or 'high'), `skyFaceSize`, `foam`.
+// 'ultra'), `sizeM`, `shading` ('headset', 'medium' or 'high'), `skyFaceSize`, `foam`; and a `hull`.
+// A hull has `vertices` (x, y, z, ...) and `triangles` (three indices each) of a closed mesh, `massKg`,
+// `centreOfMassM` [x, y, z] and other numbers of floating/hull.hpp in camelCase, and its anchor: `xM`,
+// `zM`, `headingRad` and `mooringPeriodS`, the period of its motion at anchor, 0 for a hull that drifts.
 //
 //   setSea(options)        replaces the sea; absent options are those of the preset or the defaults
+//   setHull(hull)          lets a hull float by forces from the next simulate() on; null removes it
+//   hullMatrix()           returns the column-major matrix from the hull's mesh to the world: 16
+//                          numbers, or null. Frames at most 1 s apart move the hull; otherwise, and at
+//                          first, it is put on the frame's surface
+//   setDetail(options)     sets `quality` and `shading`, without compiling shaders again
 //   setLight(options)      sets the light: `preset` (noon, golden-hour, overcast, storm,
 //                          moonlight), options of gl/sky/sky.hpp in camelCase, and `stops`, above
 //                          the exposure of the sky. Until the first sky is baked, a clear sky is
@@ -25,7 +33,7 @@
 //                          it
 //   simulateMs(), drawMs() return milliseconds of script in the last calls, without upload and GPU
 //   seaInfo()              returns {significantHeightM, cascades, resolution, memoryBytes,
-//                          triangles}
+//                          triangles, allocatedBytes}: memory of the ocean, and of the whole module
 //   draw(request)          clears a framebuffer and draws into it: {framebuffer, eyes, origin,
 //                          exposure}. `framebuffer` is a WebGLFramebuffer of the page or of an
 //                          XRWebGLLayer; null or undefined is the canvas. One or two eyes; `view`
@@ -45,6 +53,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/html5.h>
 #include <emscripten/val.h>
+#include <malloc.h>
 
 #include <array>
 #include <cmath>
@@ -59,6 +68,7 @@
 #include "pelagic/gl/errors.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/web/bindings/errors.hpp"
+#include "pelagic/web/bindings/hull_options.hpp"
 #include "pelagic/web/bindings/light_options.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
 #include "pelagic/web/bindings/sea_view.hpp"
@@ -95,10 +105,6 @@ EM_JS(int, pelagic_framebuffer_name, (emscripten::EM_VAL handle), {
 namespace pelagic::web {
 namespace {
 
-glm::dvec3 vector_of(const val& numbers) {
-    return {numbers[0].as<double>(), numbers[1].as<double>(), numbers[2].as<double>()};
-}
-
 glm::dmat4 matrix_of(const char* name, const val& numbers) {
     if (numbers.isUndefined() || numbers.isNull() || numbers["length"].as<int>() != 16)
         throw std::invalid_argument(std::string("an eye's ") + name + " needs 16 numbers");
@@ -127,30 +133,37 @@ gl::Eye eye_of(const val& eye, glm::dvec3 origin) {
     return seen;
 }
 
+bool is_given(const val& options, const char* name) { return !options[name].isUndefined(); }
+
 /// Options of SeaView that are not a sea's.
-constexpr std::array<std::string_view, 5> view_names = {"quality", "sizeM", "shading", "skyFaceSize", "foam"};
+constexpr std::array<std::string_view, 6> view_names = {"quality", "sizeM", "shading", "skyFaceSize", "foam", "hull"};
+
+std::string quality_of(const val& name) {
+    std::vector<std::string> names;
+    for (const QuadtreePreset& preset : quadtree_presets()) names.emplace_back(preset.name);
+    return word_of("quality", name, names);
+}
+
+gl::Shading shading_of(const val& name) {
+    const auto& names = names_of<gl::Shading>();
+    return *value_named<gl::Shading>(word_of("shading", name, {names.begin(), names.end()}));
+}
 
 ViewOptions view_options_of(const val& options) {
     ViewOptions view;
     if (options.isUndefined()) return view;
-    const auto is_given = [&](const char* name) { return !options[name].isUndefined(); };
-    if (is_given("quality")) {
-        std::vector<std::string> names;
-        for (const QuadtreePreset& preset : quadtree_presets()) names.emplace_back(preset.name);
-        view.quality = word_of("quality", options["quality"], names);
-    }
-    if (is_given("shading"))
-        view.shading = *value_named<gl::Shading>(
-            word_of("shading", options["shading"], {names_of<gl::Shading>().begin(), names_of<gl::Shading>().end()}));
-    if (is_given("sizeM"))
+    if (is_given(options, "quality")) view.quality = quality_of(options["quality"]);
+    if (is_given(options, "shading")) view.shading = shading_of(options["shading"]);
+    if (is_given(options, "sizeM"))
         view.size_m = number_of(
             "sizeM", options["sizeM"], [](double side) { return side >= 256 && side <= 8192; }, "[256, 8192]");
-    if (is_given("skyFaceSize"))
+    if (is_given(options, "skyFaceSize"))
         view.sky_face_size = static_cast<int>(number_of(
             "skyFaceSize", options["skyFaceSize"],
             [](double side) { return side >= 16 && side <= 2048 && std::exp2(std::round(std::log2(side))) == side; },
             "a power of two from 16 to 2048"));
-    if (is_given("foam")) view.foam = flag_of("foam", options["foam"]);
+    if (is_given(options, "foam")) view.foam = flag_of("foam", options["foam"]);
+    if (is_given(options, "hull")) view.hull = hull_with(options["hull"]);
     return view;
 }
 
@@ -190,6 +203,18 @@ class BoundView {
         context_.make_current();
         view_->set_sea(sea_with({}, options));
     }
+    void set_hull(const val& hull) {
+        context_.make_current();
+        view_->set_hull(hull_with(hull));
+    }
+    val hull_matrix() {
+        if (!view_->hull() || !view_->frame()) return val::null();
+        const glm::dmat4 matrix = view_->hull()->world_from_mesh();
+        return val::global("Float64Array").new_(emscripten::typed_memory_view(16, glm::value_ptr(matrix)));  // copies
+    }
+    void set_detail(const val& options) {
+        view_->set_detail(quality_of(options["quality"]), shading_of(options["shading"]));
+    }
     void set_light(const val& options) {
         context_.make_current();
         const Light light = light_with(options);
@@ -220,6 +245,7 @@ class BoundView {
         info.set("resolution", view_->ocean().resolution());
         info.set("memoryBytes", static_cast<double>(view_->ocean().memory_bytes()));
         info.set("triangles", static_cast<double>(view_->statistics().triangles));
+        info.set("allocatedBytes", static_cast<double>(mallinfo().uordblks));
         return info;
     }
     void draw(const val& request) {
@@ -316,6 +342,9 @@ EMSCRIPTEN_BINDINGS(pelagic_view) {
     emscripten::class_<BoundView>("SeaView")
         .constructor(&make_view, emscripten::allow_raw_pointers())
         .function("setSea", &Bound<&BoundView::set_sea>::call)
+        .function("setHull", &Bound<&BoundView::set_hull>::call)
+        .function("hullMatrix", &Bound<&BoundView::hull_matrix>::call)
+        .function("setDetail", &Bound<&BoundView::set_detail>::call)
         .function("setLight", &Bound<&BoundView::set_light>::call)
         .function("continueBaking", &Bound<&BoundView::continue_baking>::call)
         .function("hasSky", &Bound<&BoundView::has_sky>::call)

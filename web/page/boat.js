@@ -1,58 +1,16 @@
-// A small wooden boat. It samples the frame's height at fifteen points of its hull, and takes the
-// plane nearest to them. A boat much smaller than the waves heels with their slope (W. Froude, "On
-// the rolling of ships", 1861); points along the hull's length and beam filter ripples. The pose is
-// a function of the frame alone, so a link reproduces it.
+// A small wooden boat. The view moves it by the water's forces on boatHull(); a mooring holds it.
 //
 // Axes of the boat: x forward, y up from the waterline, z to starboard; metres.
 
 export const length = 7.2, beam = 2.5;
-/** Position at anchor, and heading. */
-export const place = {x: 0, z: 0, heading: 2.3};
-
-const keelM = -0.55, rows = 5, columns = 3;
-
-/** Returns x, z of the sample points in the world, for SeaView.heights(). */
-export function places() {
-  const xz = new Float64Array(2 * rows * columns);
-  const [cosine, sine] = [Math.cos(place.heading), Math.sin(place.heading)];
-  for (let i = 0, at = 0; i < rows; ++i)
-    for (let j = 0; j < columns; ++j) {
-      const x = (i / (rows - 1) - 0.5) * 0.8 * length, z = (j / (columns - 1) - 0.5) * 0.8 * beam;
-      xz[at++] = place.x + x * cosine - z * sine;
-      xz[at++] = place.z + x * sine + z * cosine;
-    }
-  return xz;
-}
-
-/**
- * Returns the least-squares plane of the heights at places(): its height in the middle, and its
- * slopes along the boat's x and z.
- */
-export function poseOn(heights) {
-  let height = 0, alongX = 0, alongZ = 0, squaresX = 0, squaresZ = 0;
-  for (let i = 0, at = 0; i < rows; ++i)
-    for (let j = 0; j < columns; ++j, ++at) {
-      const x = (i / (rows - 1) - 0.5) * 0.8 * length, z = (j / (columns - 1) - 0.5) * 0.8 * beam;
-      height += heights[at] / (rows * columns);
-      alongX += x * heights[at];
-      alongZ += z * heights[at];
-      squaresX += x * x;
-      squaresZ += z * z;
-    }
-  return {height, slopeX: alongX / squaresX, slopeZ: alongZ / squaresZ};
-}
+const keelM = -0.55;
+/** The water that the hull displaces at rest, up to y = 0. */
+const massKg = 4080;
+/** Above the centre of that water. */
+const centreOfMassM = [-0.76, 0.1, 0];
 
 const normalised = v => v.map(part => part / Math.hypot(...v));
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-
-/** Returns the matrix from the boat to world axes at an origin, column-major. */
-function placed({height, slopeX, slopeZ}, origin) {
-  const [cosine, sine] = [Math.cos(place.heading), Math.sin(place.heading)];
-  const forward = normalised([cosine, slopeX, sine]);
-  const up = normalised(cross([-sine, slopeZ, cosine], forward));
-  const starboard = cross(forward, up);
-  return [...forward, 0, ...up, 0, ...starboard, 0, place.x - origin[0], height - origin[1], place.z - origin[2], 1];
-}
 
 // The mesh: positions, normals, colours.
 
@@ -72,6 +30,23 @@ function hullPoint(s, v) {
   const t = Math.abs(v);
   const rake = 0.5 * s ** 8 * t;  // the stem leans forward
   return [(s - 0.5) * length + rake, keel + (sheer - keel) * t ** 1.7, Math.sign(v) * half * Math.sin(t * Math.PI / 2) ** 0.75];
+}
+
+/** Returns the hull of SeaView.setHull(): sections from transom to stem, closed at the gunwales. */
+export function boatHull() {
+  const sections = steps(0, 1, 10), ring = [-1, -0.7, -0.35, 0, 0.35, 0.7, 1], count = ring.length;
+  const triangles = [];
+  for (let i = 0; i + 1 < sections.length; ++i)
+    for (let j = 0; j < count; ++j) {
+      const a = count * i + j, b = count * i + (j + 1) % count;
+      triangles.push(a, a + count, b, b, a + count, b + count);
+    }
+  const stem = count * (sections.length - 1);
+  for (let j = 1; j + 1 < count; ++j) triangles.push(0, j, j + 1, stem, stem + j + 1, stem + j);
+  return {
+    vertices: sections.flatMap(s => ring.flatMap(v => hullPoint(s, v))), triangles, massKg, centreOfMassM,
+    skegM2: 0.6, skegXM: -2, rollDamping: 0.1, xM: 0, zM: 0, headingRad: 2.3, mooringPeriodS: 20,
+  };
 }
 
 function deckPoint(s, v) {
@@ -229,25 +204,21 @@ export class Boat {
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
   }
 
-  /** Computes the pose on the view's last frame. */
-  float(view) {
-    this.pose = poseOn(view.heights(places()).heights);
-  }
-
   /**
    * Draws into the framebuffer of the sea, whose depth buffer occludes it.
    *
    * @param eye     {viewport, view, projection}, as for SeaView.draw()
+   * @param place   result of SeaView.hullMatrix()
    * @param light   result of SeaView.lightInfo()
    * @param origin  position of the eye's origin in the world
    */
-  draw(eye, light, origin) {
+  draw(eye, place, light, origin) {
     const {gl, program} = this;
     const uniform = name => gl.getUniformLocation(program, name);
     gl.useProgram(program);
     gl.viewport(...eye.viewport);
     gl.uniformMatrix4fv(uniform('clip_from_world'), false, new Float32Array(multiplied(eye.projection, eye.view)));
-    gl.uniformMatrix4fv(uniform('world_from_boat'), false, new Float32Array(placed(this.pose, origin)));
+    gl.uniformMatrix4fv(uniform('world_from_boat'), false, new Float32Array(place.map((number, i) => number - (origin[i - 12] ?? 0))));
     gl.uniform3fv(uniform('sun'), light.direction);
     gl.uniform3fv(uniform('sun_irradiance'), light.sunIrradiance);
     gl.uniform3fv(uniform('sky_irradiance'), light.skyIrradiance);

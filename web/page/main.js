@@ -4,11 +4,11 @@
 // slices between frames; until then the view draws a plain sky. Tests and the console use
 // `window.pelagicPage`.
 import createPelagicView from './pelagic_view.js';
-import {Boat} from './boat.js';
+import {Boat, boatHull} from './boat.js';
 import {Camera, followInput} from './camera.js';
 import {allOptions, check, defaultSettings, groupOf} from './options.js';
 import {Panel} from './panel.js';
-import {FrameScale} from './frame_scale.js';
+import {DrawDetail, drawsInSoftware, headsetDetail} from './draw_detail.js';
 import {readLink, writeLink} from './share_link.js';
 import {offerVr} from './vr_button.js';
 
@@ -43,12 +43,13 @@ class Page {
     this.settings = this.settingsOfLink();
     this.camera = new Camera(this.settings);
     this.keys = followInput(canvas, this.camera);
-    this.scale = new FrameScale();
     this.makeView();
+    this.detail = new DrawDetail(drawsInSoftware(this.gl));
     this.panel = new Panel(byId('panel'), this.tables, changes => this.change(changes));
     this.connectButtons();
     this.show();
     addEventListener('hashchange', () => this.openLink());
+    document.addEventListener('visibilitychange', () => { this.wasHidden = true; });
     offerVr(byId('enter-vr'), () => this.vrOptions(), isInVr => this.restForVr(isInVr), showProblem);
     this.requestFrame();
   }
@@ -70,6 +71,7 @@ class Page {
     const settings = this.settingsOfLink();
     this.camera.take(settings);
     this.take(settings);
+    this.boatChanged = true;  // an image depends on its link alone
   }
 
   /** Applies choices of the user. If one is invalid, shows why and changes nothing. */
@@ -87,13 +89,9 @@ class Page {
     const before = this.settings;
     this.settings = settings;
     const differs = group => allOptions(this.tables).some(option => option.group === group && before[option.name] !== settings[option.name]);
-    if (before.quality !== settings.quality || before.shading !== settings.shading) {
-      this.view.delete();
-      this.makeView();
-    } else {
-      this.seaChanged ||= differs('sea');
-      this.lightChanged ||= differs('light');
-    }
+    this.seaChanged ||= differs('sea');
+    this.lightChanged ||= differs('light');
+    this.boatChanged ||= before.boat !== settings.boat;
     this.isStale = true;
     this.show();
   }
@@ -119,8 +117,8 @@ class Page {
   // View.
 
   makeView() {
-    const {quality, shading} = this.settings;
-    this.view = new this.module.SeaView({...groupOf(this.settings, this.tables, 'sea'), quality, shading});
+    const {quality, shading, boat} = this.settings;
+    this.view = new this.module.SeaView({...groupOf(this.settings, this.tables, 'sea'), quality, shading, hull: boat ? boatHull() : null});
     this.gl = this.view.context;
     this.boat ??= new Boat(this.gl);
     this.view.setLight(this.metered());
@@ -143,7 +141,11 @@ class Page {
       this.view.setLight(this.metered());
       this.bake();
     }
-    this.seaChanged = this.lightChanged = false;
+    if (this.boatChanged) {
+      this.view.setHull(this.settings.boat ? boatHull() : null);
+      this.shownTimeS = undefined;
+    }
+    this.seaChanged = this.lightChanged = this.boatChanged = false;
   }
 
   /**
@@ -181,13 +183,22 @@ class Page {
     requestAnimationFrame(now => this.frame(now));
   }
 
-  /** Sets the canvas's size to that of the window, times the scale. */
+  /** Sets mesh, shading and the canvas's size, which is that of the window times the scale. */
   fit() {
-    const ofFrameTime = this.restingFrames >= framesToRest ? 1 : this.scale.value;
-    const scale = (this.settings.scale || ofFrameTime) * devicePixelRatio;
+    const {quality, shading} = this.settings;
+    const isFull = this.settings.scale || this.restingFrames >= framesToRest;
+    const detail = isFull ? {scale: this.settings.scale || 1, quality, shading} : this.detail.of(this.settings);
+    this.setDetail(detail);
+    const scale = detail.scale * devicePixelRatio;
     const width = Math.max(1, Math.round(canvas.clientWidth * scale)), height = Math.max(1, Math.round(canvas.clientHeight * scale));
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
+  }
+
+  setDetail({quality, shading}) {
+    const wanted = `${quality}, ${shading}`;
+    if (this.wantedDetail !== wanted) this.view.setDetail({quality, shading});
+    this.wantedDetail = wanted;
   }
 
   frame(now) {
@@ -197,7 +208,9 @@ class Page {
     const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);
     const sinceLast = now - (this.lastNow ?? now);
     this.lastNow = now;
-    if (!this.isBaking && !this.restingFrames) this.scale.follow(sinceLast);
+    // Pages in the background receive no frames.
+    if (!this.isBaking && !this.restingFrames && !this.wasHidden) this.detail.follow(sinceLast);
+    this.wasHidden = document.hidden;
     this.advance(passed);
     this.camera.fly(this.keys, passed);
     this.fit();
@@ -207,9 +220,10 @@ class Page {
     const seen = [this.shownTimeS, canvas.clientWidth, canvas.clientHeight, ...eye.view].join();
     const rests = seen === this.seen && !this.isStale;
     this.restingFrames = rests ? this.restingFrames + 1 : 0;
-    if (!rests || this.drawnWidth !== width) this.draw(null, width, height, [eye]);
+    const detail = `${width}, ${this.wantedDetail}`;
+    if (!rests || this.drawnDetail !== detail) this.draw(null, width, height, [eye]);
     this.seen = seen;
-    this.drawnWidth = width;
+    this.drawnDetail = detail;
     this.isStale = false;
     this.showStatistics(now, sinceLast);
     // The next task begins after the driver has accepted this frame's calls.
@@ -242,10 +256,9 @@ class Page {
   /** @param origin  position of the eyes' origin in the world */
   drawBoat(framebuffer, eyes, origin) {
     if (!this.settings.boat) return;
-    this.boat.float(this.view);
     const light = this.view.lightInfo();
     this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, framebuffer);
-    for (const eye of eyes) this.boat.draw(eye, light, origin);
+    for (const eye of eyes) this.boat.draw(eye, this.view.hullMatrix(), light, origin);
   }
 
   /** The floor of the room is 1.6 m below the camera, and at least 1 m above the rest level. */
@@ -261,6 +274,7 @@ class Page {
 
   restForVr(isInVr) {
     this.isInVr = isInVr;
+    this.setDetail(isInVr ? headsetDetail(this.settings) : this.settings);
     this.shownTimeS = undefined;
     this.isStale = true;
     if (!isInVr) this.requestFrame();
