@@ -3,7 +3,7 @@
 #
 #   ./demo.sh                              a looping sea on disk, in out/
 #   ./demo.sh web [PORT] [--build-only]    the sea in a page, served on localhost until Ctrl-C
-#   ./demo.sh web [PORT] --https           the same for a headset of the network
+#   ./demo.sh web [PORT] --https           the same for a headset of the network, and a benchmark
 set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
@@ -41,7 +41,12 @@ serve_page() {
   done
   pelagic_install_dependencies "${pelagic_web_packages[@]}"
   echo "Building the page (some minutes the first time) ..."
-  build() { cmake --preset web && cmake --build --preset web -j "$(nproc)" --target pelagic_page; }
+  build_of() { cmake --preset "$1" && cmake --build --preset "$1" -j "$(nproc)" --target "${@:2}"; }
+  build() {
+    if [ ${#https[@]} -eq 0 ]; then build_of web pelagic_page; else
+      build_of web pelagic_page pelagic_bench_page && build_of web-threads pelagic_bench_page
+    fi
+  }
   quietly build
   [ -n "$serves" ] || return 0
   echo "The page is served at this address until Ctrl-C:"

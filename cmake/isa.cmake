@@ -37,6 +37,10 @@ set(PELAGIC_ISA_FLAGS_neon)
 # xsimd 8.1 does not support WebAssembly, but emscripten implements most of SSE4.2 with 128-bit
 # instructions. Those that it emulates lane by lane are replaced.
 set(PELAGIC_ISA_FLAGS_wasm128 -msimd128 -msse4.2 -include ${PROJECT_SOURCE_DIR}/simd/wasm128_intrinsics.kernel.hpp)
+# The same without SIMD instructions, for a benchmark: what emcc defines for -msse4.2, which it accepts
+# with -msimd128 only.
+set(PELAGIC_WASM_SCALAR_FLAGS -D__SSE__=1 -D__SSE2__=1 -D__SSE3__=1 -D__SSSE3__=1 -D__SSE4_1__=1 -D__SSE4_2__=1 -D__wasm_simd128__=1
+    -include ${PROJECT_SOURCE_DIR}/simd/wasm_scalar.kernel.hpp)
 set(PELAGIC_XSIMD_ARCH_sse4_2 sse4_2)
 set(PELAGIC_XSIMD_ARCH_avx2 avx2)
 set(PELAGIC_XSIMD_ARCH_avx512 avx512bw)

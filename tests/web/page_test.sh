@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tests the page in headless Chromium.
-# usage: page_test.sh PAGE_FOLDER PELAGIC FOLDER
+# Tests the page in headless Chromium, or by another script of this folder.
+# usage: page_test.sh PAGE_FOLDER PELAGIC FOLDER [SCRIPT]
 # npm's packages remain in FOLDER.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,4 +13,4 @@ mkdir -p "$3"
 cd "$3"
 cp "$here/package.json" .
 [ -d node_modules/puppeteer-core ] || npm install --no-audit --no-fund --no-save >npm.log 2>&1 || { cat npm.log; exit 1; }
-exec node "$here/page_test.mjs" "$page" "$pelagic"
+exec node "$here/${4:-page_test.mjs}" "$page" "$pelagic"

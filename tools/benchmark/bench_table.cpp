@@ -157,14 +157,6 @@ void print_timings(const Timings& timings) {
     print_threads(timings);
 }
 
-std::vector<SeaState> headset_seas() {
-    return {{.resolution = 128, .patch_size_m = 250},
-            {.resolution = 256, .patch_size_m = 250},
-            {.cascades = 3, .resolution = 64},
-            {.cascades = 3, .resolution = 128},
-            {.cascades = 4, .resolution = 128}};
-}
-
 void print_headset_timings(const Timings& timings) {
     std::printf("%s, %s, %s, pelagic " PELAGIC_VERSION "\n\n", cpu_name().c_str(), compiler_name().c_str(),
                 std::string(name_of(timings.frames.front().isa)).c_str());

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/tools/benchmark/frame_timing.hpp"
 #include "pelagic/tools/benchmark/option_cost.hpp"
 
@@ -14,12 +13,6 @@ namespace pelagic::tools {
 /// Prints tables of at most 100 columns: jobs and frames on one thread with each instruction set,
 /// and frames on several threads.
 void print_timings(const Timings& timings);
-
-/// Maximum number of threads. Further cores of a headset are slow or used by the renderer.
-inline constexpr int max_headset_threads = 3;
-
-/// Returns the seas: 1x128, 1x256, 3x64, 3x128 and 4x128 (cascades x N).
-std::vector<SeaState> headset_seas();
 
 /// Prints a table of at most 100 columns with a row for each sea and number of threads:
 /// milliseconds, percentage of a headset's frame, memory, and bytes to upload.

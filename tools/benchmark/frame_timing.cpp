@@ -222,6 +222,14 @@ Quartiles quartiles_of(std::vector<double> values) {
     return {at(0.5), at(0.25), at(0.75)};
 }
 
+std::vector<SeaState> headset_seas() {
+    return {{.resolution = 128, .patch_size_m = 250},
+            {.resolution = 256, .patch_size_m = 250},
+            {.cascades = 3, .resolution = 64},
+            {.cascades = 3, .resolution = 128},
+            {.cascades = 4, .resolution = 128}};
+}
+
 std::vector<int> thread_counts(int max) {
     std::vector<int> counts;
     for (int threads = 1; threads < max; threads *= 2) counts.push_back(threads);

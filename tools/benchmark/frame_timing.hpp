@@ -61,6 +61,12 @@ struct Timings {
     std::string no_counter;           ///< reason why instructions are not counted; else empty
 };
 
+/// Maximum number of threads of a headset. Further cores of a headset are slow or used by the renderer.
+inline constexpr int max_headset_threads = 3;
+
+/// Returns the seas of a headset: 1x128, 1x256, 3x64, 3x128 and 4x128 (cascades x N).
+std::vector<SeaState> headset_seas();
+
 /// Returns 1, 2, 4, ... and `max`.
 std::vector<int> thread_counts(int max);
 

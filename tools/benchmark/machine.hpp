@@ -1,6 +1,7 @@
 // Names of the processor and the compiler, sizes of caches, and processor time, for benchmarks.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -15,8 +16,12 @@ std::string cpu_name();
 /// if the system does not report them.
 std::vector<std::size_t> cache_sizes();
 
-/// Returns the processor time of the calling thread in seconds. On Windows it advances in steps of 15 ms.
+/// Returns the processor time of the calling thread in seconds. On Windows it advances in steps of 15 ms;
+/// in a page it is the time of the clock.
 double thread_seconds();
+
+/// Sleeps until a time.
+void sleep_until(std::chrono::steady_clock::time_point time);
 
 /// Returns the name of the compiler of this program.
 inline std::string compiler_name() {

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <fstream>
 #include <string_view>
+#include <thread>
 
 namespace pelagic::tools {
 
@@ -58,5 +59,7 @@ double thread_seconds() {
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+void sleep_until(std::chrono::steady_clock::time_point time) { std::this_thread::sleep_until(time); }
 
 }  // namespace pelagic::tools

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstring>
+#include <thread>
 
 #include "pelagic/tools/benchmark/machine.hpp"
 
@@ -47,5 +48,7 @@ double thread_seconds() {
     };
     return seconds(kernel) + seconds(user);
 }
+
+void sleep_until(std::chrono::steady_clock::time_point time) { std::this_thread::sleep_until(time); }
 
 }  // namespace pelagic::tools

@@ -6,7 +6,6 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "pelagic/examples/boat/boat_mesh.hpp"
@@ -105,8 +104,8 @@ class CostedOcean {
             const double frame_ms = advance();
             if (i >= 0) ms += frame_ms;
             const double until_s = period_s * (i + 1 + frames_before_a_turn);
-            std::this_thread::sleep_until(begun + std::chrono::duration_cast<Clock::duration>(
-                                                      std::chrono::duration<double>(until_s)));
+            sleep_until(begun +
+                        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(until_s)));
         }
         return ms / frames;
     }
