@@ -92,7 +92,7 @@ void ViewScene::create_ocean(double time_s, const std::vector<SeaChange>& change
                                 .foam = true,
                                 .dynamic_waves = dynamic_waves,
                                 .shore = shore,
-                                .spray = has_spray() ? std::optional(SprayOptions{}) : std::nullopt});
+                                .spray = has_spray() ? std::optional(gl::drawn_spray) : std::nullopt});
     ocean_->set_water_frame(options_.water_frame);
     if (boat_) boat_->float_on(ocean_->dynamic_waves());
     ocean_->dynamic_waves().set_center(grid_centre_.x, grid_centre_.y);

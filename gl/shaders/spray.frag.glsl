@@ -1,5 +1,6 @@
-// Sprite of a droplet. Its opacity is (1 - r^2)^2 of that at the middle, a third of it on average.
-// With SOFT the sprite fades where it meets the surfaces of a depth texture.
+// Card of a droplet. The opacity of a ball is (1 - r^2)^2 of that at its middle, a third of it on
+// average, and that of a shred is equal on average. With SOFT the card fades where it meets the
+// surfaces of a depth texture.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 #endif
@@ -13,10 +14,14 @@ flat in vec3 radiance;
 flat in float opacity;
 in vec4 on_screen;
 flat in float radius;
+flat in vec3 shred;
+flat in vec2 to_light;
 out vec4 colour;
 
 // Weight of a sample in a mean, equal for all sprites (SprayRenderer::draw()).
 uniform highp float sample_weight;
+
+uniform mediump sampler2DArray shreds;
 
 #ifdef SOFT
 uniform highp sampler2D scene_depth;
@@ -34,10 +39,12 @@ float in_front_of_scene() {
 
 void main() {
     float inside = max(1.0 - dot(in_sprite, in_sprite), 0.0);
-    float alpha = opacity * inside * inside;
+    vec3 place = vec3(0.5 + 0.5 * in_sprite * vec2(1.0, shred.z), shred.y);
+    float alpha = opacity * mix(inside * inside, 2.0 * texture(shreds, place).r, shred.x);
 #ifdef SOFT
     alpha *= in_front_of_scene();
 #endif
-    vec3 shown = output_kind.y > 0.5 ? min(radiance, vec3(6e4)) * sample_weight : screen_colour(radiance).rgb;
+    vec3 lit = radiance * (1.0 + dot(in_sprite, to_light));
+    vec3 shown = output_kind.y > 0.5 ? min(lit, vec3(6e4)) * sample_weight : screen_colour(lit).rgb;
     colour = vec4(shown * alpha, alpha);
 }

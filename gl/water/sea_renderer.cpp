@@ -474,7 +474,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
                                 !s.is_inside(input, input.eyes[0]);
     const bool draws_spray = !input.spray.droplets.empty() && !is_under_water && !writes_data;
     if (draws_spray && !s.spray) s.spray.emplace(gl, s.options.multiview);
-    if (draws_spray) s.spray->upload(input.spray.droplets, viewer_m);
+    if (draws_spray) s.spray->upload(input.spray.droplets, s.facts.time_s, s.facts.sea.wind_speed_mps, viewer_m);
     const std::size_t passes = s.options.multiview ? 1 : input.eyes.size();
     for (std::size_t eye = 0; eye < passes; ++eye) {
         const Viewport& view = input.eyes[eye].viewport;

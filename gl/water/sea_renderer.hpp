@@ -75,6 +75,10 @@ enum class DrawMode {
     surface_data
 };
 
+/// Options of spray for images: plumes on crests up to 150 m away. `amount` is the least that fills
+/// Frame::droplets in a gale.
+inline constexpr SprayOptions drawn_spray{.reach_m = 160, .amount = 2};
+
 /// Spray that is drawn over sea and sky. Droplets are hidden by the framebuffer's depths and write
 /// none, so other transparent objects may be drawn before or after them. Nothing is drawn for a lens
 /// under water.

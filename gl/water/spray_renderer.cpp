@@ -1,8 +1,12 @@
 #include "pelagic/gl/water/spray_renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <utility>
+
+#include "pelagic/gl/water/spray_image.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -35,6 +39,33 @@ class BlendGuard {
     std::array<GLfloat, 4> colour_{};
 };
 
+/// Unit of the shreds. The sea's programs have no array texture in it.
+constexpr Unit shreds_unit = caustics_unit;
+
+Texture make_shreds(const Functions& gl) {
+    const SprayImage image = make_spray_image();
+    Texture texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0 + shreds_unit);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, SprayImage::levels, GL_R8, SprayImage::side, SprayImage::side,
+                    SprayImage::layers);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (int level = 0; level < SprayImage::levels; ++level)
+        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, SprayImage::side >> level, SprayImage::side >> level,
+                         SprayImage::layers, GL_RED, GL_UNSIGNED_BYTE, image.level(level));
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    return texture;
+}
+
+/// Returns a droplet's random number, which is constant while it flies: that of its launch.
+float random_of(double launch_s) {
+    const double scaled = launch_s * 977;
+    return static_cast<float>(scaled - std::floor(scaled));
+}
+
 }  // namespace
 
 ProgramFiles spray_program_files(bool multiview, bool soft) {
@@ -45,14 +76,14 @@ ProgramFiles spray_program_files(bool multiview, bool soft) {
 }
 
 SprayRenderer::SprayRenderer(const Functions& gl, bool multiview)
-    : gl_(gl), multiview_(multiview), array_(gl), instances_(gl) {
+    : gl_(gl), multiview_(multiview), array_(gl), instances_(gl), shreds_(make_shreds(gl)) {
     staged_.reserve(max_spray_droplets);
     gl.BindVertexArray(array_.name());
     gl.BindBuffer(GL_ARRAY_BUFFER, instances_.name());
-    for (const GLuint attribute : {0u, 1u}) {
+    for (const GLuint attribute : {0u, 1u, 2u}) {
         gl.EnableVertexAttribArray(attribute);
         gl.VertexAttribDivisor(attribute, 1);
-        gl.VertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
+        gl.VertexAttribPointer(attribute, attribute < 2 ? 4 : 2, GL_FLOAT, GL_FALSE, sizeof(Instance),
                                reinterpret_cast<const void*>(attribute * sizeof(glm::vec4)));
     }
     gl.BindVertexArray(0);
@@ -63,17 +94,29 @@ SprayRenderer::Sprites& SprayRenderer::sprites(bool soft) {
     if (!chosen) {
         SeaProgram program(gl_, spray_program_files(multiview_, soft));
         const GLint sample_weight = program.program.uniform("sample_weight");
-        chosen = Sprites{std::move(program), sample_weight};
+        gl_.Uniform1i(program.program.uniform("shreds"), shreds_unit);
+        const GLint gale = program.program.uniform("gale");
+        chosen = Sprites{std::move(program), sample_weight, gale};
     }
     return *chosen;
 }
 
-void SprayRenderer::upload(std::span<const SprayDroplet> droplets, const glm::dvec3& viewer_m) {
+void SprayRenderer::upload(std::span<const SprayDroplet> droplets, double time_s, double wind_mps,
+                           const glm::dvec3& viewer_m) {
+    constexpr double calm_mps = 12, gale_mps = 20.8;  // Beaufort 6 and 9
+    gale_ = static_cast<float>(std::clamp((wind_mps - calm_mps) / (gale_mps - calm_mps), 0., 1.));
+    constexpr float least_opacity = 0.004f;  // a step of a screen
+    // Smaller drops are less than a tenth of a pixel there.
+    constexpr float drop_m = 0.05f, drops_end_m = 60;
     staged_.clear();
-    for (const SprayDroplet& droplet : droplets.first(std::min(droplets.size(), max_spray_droplets)))
-        staged_.push_back(
-            {{glm::vec3(glm::dvec3(droplet.x_m, droplet.y_m, droplet.z_m) - viewer_m), droplet.radius_m},
-             {droplet.velocity_x_mps, droplet.velocity_y_mps, droplet.velocity_z_mps, droplet.opacity}});
+    for (const SprayDroplet& droplet : droplets.first(std::min(droplets.size(), max_spray_droplets))) {
+        const glm::vec3 place(glm::dvec3(droplet.x_m, droplet.y_m, droplet.z_m) - viewer_m);
+        if (droplet.opacity < least_opacity) continue;
+        if (droplet.radius_m < drop_m && glm::length(place) > drops_end_m) continue;
+        staged_.push_back({{place, droplet.radius_m},
+                           {droplet.velocity_x_mps, droplet.velocity_y_mps, droplet.velocity_z_mps, droplet.opacity},
+                           {droplet.age_s, random_of(time_s - static_cast<double>(droplet.age_s))}});
+    }
     gl_.BindBuffer(GL_ARRAY_BUFFER, instances_.name());
     // New storage on each upload; the driver keeps the old storage until its draws are complete.
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(staged_.size() * sizeof(Instance)), staged_.data(),
@@ -86,11 +129,14 @@ void SprayRenderer::draw(int eye, bool soft, float sample_weight) {
     const Sprites& chosen = sprites(soft);
     chosen.program.use(gl_, eye);
     gl_.Uniform1f(chosen.sample_weight, sample_weight);
+    gl_.Uniform1f(chosen.gale, gale_);
     gl_.Enable(GL_BLEND);
     gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
     gl_.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_CONSTANT_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl_.BlendColor(0, 0, 0, sample_weight);
     gl_.DepthMask(GL_FALSE);
+    gl_.ActiveTexture(GL_TEXTURE0 + shreds_unit);
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, shreds_.name());
     gl_.BindVertexArray(array_.name());
     gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(staged_.size()));
     gl_.DepthMask(GL_TRUE);

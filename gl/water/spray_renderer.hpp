@@ -1,8 +1,9 @@
-// Draws droplets of spray as sprites that face the eye, in one instanced draw call. SeaRenderer
-// owns it.
+// Draws droplets of spray as cards that face the eye, in one instanced draw call. SeaRenderer owns
+// it.
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
@@ -24,9 +25,11 @@ class SprayRenderer {
     /// \param gl  must outlive this object
     SprayRenderer(const Functions& gl, bool multiview);
 
-    /// Uploads droplets for the next draw() calls.
+    /// Uploads droplets for the next draw() calls, without those that are too faint or small to show.
+    /// \param time_s  of the droplets
+    /// \param wind_mps  10 m above the sea
     /// \param viewer_m  origin of the shaders' positions
-    void upload(std::span<const SprayDroplet> droplets, const glm::dvec3& viewer_m);
+    void upload(std::span<const SprayDroplet> droplets, double time_s, double wind_mps, const glm::dvec3& viewer_m);
     /// Draws the droplets, blended over the framebuffer, in the order of the upload. The scene's
     /// uniform block, the sky and, with `soft`, the depth texture are bound; the depth test is on.
     /// \param sample_weight  weight of the sprites in the mean of a pixel's samples, one for all.
@@ -36,10 +39,11 @@ class SprayRenderer {
    private:
     struct Instance {
         glm::vec4 place, motion;
+        glm::vec2 origin;
     };
     struct Sprites {
         SeaProgram program;
-        GLint sample_weight;
+        GLint sample_weight, gale;
     };
     Sprites& sprites(bool soft);
 
@@ -48,7 +52,9 @@ class SprayRenderer {
     std::array<std::optional<Sprites>, 2> sprites_;  ///< by `soft`; compiled at the first use
     VertexArray array_;
     Buffer instances_;
+    Texture shreds_;
     std::vector<Instance> staged_;
+    float gale_ = 0;  ///< 0 to 1
 };
 
 }  // namespace pelagic::gl

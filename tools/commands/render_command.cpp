@@ -125,7 +125,7 @@ class OfflineRenderer {
                             options.hull ? std::optional(HullPlayer::begins_s(options.time_s)) : std::nullopt);
         if (options.hull) {
             hull_.emplace(*options.hull, ocean_, *player_, options.time_s,
-                          make_default_executor(options.scene.compute.threads));
+                          make_default_executor(options.scene.compute.threads), options.has_spray());
             hull_mesh_.emplace(drawn_hull(context_.functions(), options.hull->hull->mesh()));
         }
         if (options.rock_m) {
@@ -215,7 +215,7 @@ class OfflineRenderer {
 
    private:
     static std::optional<SprayOptions> spray_of(const RenderOptions& options) {
-        return options.has_spray() ? std::optional(SprayOptions{}) : std::nullopt;
+        return options.has_spray() ? std::optional(gl::drawn_spray) : std::nullopt;
     }
 
     static Velocities velocities_of(const RenderOptions& options) {
@@ -228,7 +228,7 @@ class OfflineRenderer {
     /// frame alone, as with --resume.
     void center_spray() {
         if (!spray_of(options_)) return;
-        constexpr double step_m = 20;  // of a reach of 80 m
+        constexpr double step_m = 20;  // of a reach of 160 m
         glm::dvec2 center(options_.scene.camera.position_m.x, options_.scene.camera.position_m.z);
         if (const auto& path = options_.motion.path) {
             const glm::dvec3 at = path->at(time_s_).position_m;
