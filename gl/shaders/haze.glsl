@@ -24,7 +24,8 @@ vec3 through_haze(vec3 radiance, vec3 from_eye, float distance_m) {
     vec3 ray = from_eye / distance_m;
     float height = viewer.z + eye[EYE].y;
     vec3 air = rayleigh_per_m * thinned(height, 8000.0);
-    vec3 taken = air + (haze.rgb - rayleigh_per_m) * thinned(height, 1200.0);
+    vec3 taken = air + (haze.rgb - rayleigh_per_m) * thinned(height, 1200.0) +
+                 viewer.y * thinned(height, 1.0 + 0.5 * waves.x);  // spindrift, as high as half a wave
     vec3 by_haze = 0.9 * (taken - air);
     float to_sun = dot(ray, sun.xyz);
     vec3 source = (cloud_light.x * sun_irradiance.rgb * (air * rayleigh_phase(to_sun) + by_haze * haze_phase(to_sun)) +

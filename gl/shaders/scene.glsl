@@ -55,8 +55,8 @@ layout(std140) uniform Scene {
     // xy: the viewer's position in the noise that varies the copies of the cascade; z: side of the
     // cascade over that of the noise
     highp vec4 cascade_noise[4];
-    // x: 1 if the sky is drawn where the lens is in the air; z: height above the still-water level;
-    // w: height of that level in the world
+    // x: 1 if the sky is drawn where the lens is in the air; y: extinction of spindrift, 1/m; z:
+    // height above the still-water level; w: height of that level in the world
     highp vec4 viewer;
     // xy: corner of the grid; z: metres per step; w: V
     highp vec4 grid;
