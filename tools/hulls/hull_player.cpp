@@ -11,6 +11,7 @@
 
 #include "pelagic/floating/given_coefficients.hpp"
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/simd/constants.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
@@ -24,13 +25,37 @@ std::int64_t first_step(double first_s) {
 
 double time_of(std::int64_t step) { return static_cast<double>(step) / HullPlayer::steps_per_s; }
 
+/// Returns the foam behind a stern. The water closes there as a breaker, at most as high as the head of
+/// the speed and half of the beam; by eye.
+std::array<Disturbance, 2> stern_foam(const Hull& hull, const HullState& state, const HullLoads& loads) {
+    const HullMesh& mesh = hull.mesh();
+    const double stern_m = mesh.lower_m().x, length_m = mesh.upper_m().x - stern_m;
+    double half_beam_m = 0.001;
+    for (const glm::dvec3& vertex : mesh.vertices())
+        if (vertex.x < stern_m + 0.05 * length_m) half_beam_m = std::max(half_beam_m, std::fabs(vertex.z));
+    const glm::dmat3 axes = glm::mat3_cast(state.orientation);
+    const double speed_mps = std::max(glm::dot(axes[0], state.velocity_mps - loads.water_velocity_mps), 0.0);
+    const double head_m = speed_mps * speed_mps / (2 * gravity_mps2);
+    Disturbance foam{.mode = Disturbance::Mode::foam,
+                     .radius_m = std::min(0.65 * half_beam_m, 1000.0),
+                     .height_m = std::min({head_m, half_beam_m, 100.0})};
+    std::array<Disturbance, 2> both = {foam, foam};
+    for (std::size_t side = 0; side < both.size(); ++side) {
+        const double z_m = (side == 0 ? -0.5 : 0.5) * half_beam_m;
+        const glm::dvec3 at = hull.mesh_origin_m(state) + axes * glm::dvec3(stern_m, 0, z_m);
+        both[side].x_m = at.x;
+        both[side].z_m = at.z;
+    }
+    return both;
+}
+
 constexpr std::array hull_column_names = {"time", "x",  "y",  "z",  "heave",   "heading",  "pitch",
                                           "roll", "vx", "vy", "vz", "draught", "displaced"};
 
 }  // namespace
 
 HullPlayer::HullPlayer(const HullLaunch& launch, Ocean& ocean, EventPlayer& waves, double first_s,
-                       std::shared_ptr<Executor> executor)
+                       std::shared_ptr<Executor> executor, bool has_spray)
     : launch_(launch),
       ocean_(ocean),
       waves_(waves),
@@ -40,6 +65,8 @@ HullPlayer::HullPlayer(const HullLaunch& launch, Ocean& ocean, EventPlayer& wave
     body_ = bodies_.add(*launch_.hull, launch_.hull->at_rest(WaterQuery(frame_at(step_)), launch_.x_m, launch_.z_m,
                                                              launch_.heading_rad));
     before_ = bodies_.state(body_);
+    // finer than by default, because an image shows each droplet
+    if (has_spray) thrown_.emplace(bodies_.hull(body_), HullSprayOptions{.radius_m = 0.1, .clump_kg = 0.1});
 }
 
 double HullPlayer::begins_s(double first_s) { return time_of(first_step(first_s)); }
@@ -57,12 +84,23 @@ void HullPlayer::step() {
         bodies_.set_inputs(body_,
                            {.force = {.force_n = launch_.thrust_n * glm::mat3_cast(before_.orientation)[0]}});
         bodies_.step(frame, hull_step_s);
+        if (thrown_) break_water(frame);
     } catch (const std::invalid_argument& error) {
         if (launch_.hull->diffraction() && !SeaForces::reason_unavailable(&frame).empty())
             throw InputError(std::string("--hull-coefficients: ") + error.what());
         throw InputError(launch_.typed + ": the hull moves out of range: " + error.what());
     }
     ++step_;
+}
+
+void HullPlayer::break_water(const Frame& frame) {
+    const HullState& state = bodies_.state(body_);
+    thrown_->update(WaterQuery(frame), state, bodies_.loads(body_), hull_step_s, workspace_,
+                    bodies_.inputs(body_).wake);
+    ocean_.emit(thrown_->emitters());
+    for (const Disturbance& foam : thrown_->foam()) waves_.waves().add_impulse(foam);
+    for (const Disturbance& foam : stern_foam(*launch_.hull, state, bodies_.loads(body_)))
+        waves_.waves().add_impulse(foam);
 }
 
 HullMoment HullPlayer::at(double time_s) {

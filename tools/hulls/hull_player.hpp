@@ -1,13 +1,16 @@
 // A hull that floats on the waves of an ocean, and on dynamic waves, into which it presses its
-// wake. Steps are 1/60 s, from the launch on; between steps the pose is interpolated.
+// wake. In an ocean with spray it throws some, and leaves foam at its bow and behind its stern. Steps
+// are 1/60 s, from the launch on; between steps the pose is interpolated.
 #pragma once
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "pelagic/floating/floating_bodies.hpp"
+#include "pelagic/floating/hull_spray.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/hulls/hull_options.hpp"
@@ -32,10 +35,11 @@ class HullPlayer {
 
     /// Launches the hull on the surface, with the velocity of the water.
     /// \param ocean  with queries and velocities; its frames are invalid after each call
+    /// \param has_spray  whether the ocean has OceanOptions::spray
     /// \param waves  begun at begins_s(first_s)
     /// \pre both outlive this object
     HullPlayer(const HullLaunch& launch, Ocean& ocean, EventPlayer& waves, double first_s,
-               std::shared_ptr<Executor> executor);
+               std::shared_ptr<Executor> executor, bool has_spray = false);
 
     /// Returns the time of the launch.
     static double begins_s(double first_s);
@@ -48,6 +52,7 @@ class HullPlayer {
 
    private:
     void step();
+    void break_water(const Frame& frame);
     Frame frame_at(std::int64_t step);
 
     HullLaunch launch_;
@@ -57,6 +62,8 @@ class HullPlayer {
     std::uint32_t body_;
     std::int64_t step_;  ///< number of the state's step, counted from time 0
     HullState before_;   ///< a step earlier
+    std::optional<HullSpray> thrown_;  ///< none in an ocean without spray
+    HullWorkspace workspace_;
 };
 
 /// Returns "time,x,y,z,...", the names of hull_row()'s values.
