@@ -64,16 +64,17 @@ TEST(FoamImage, CoversTheFractionOfTheThresholdAtEachLevel) {
             }
 }
 
-/// Returns a layer's variance by waves across the cascade, kx + side ky; both from 0 to side / 2,
-/// of all four signs.
-std::vector<double> power_of(FoamImage::Layer layer) {
+/// Returns the variance of `value(x, y)` by waves across the layer, kx + side ky; both from 0 to side
+/// / 2, of all four signs.
+template <class Value>
+std::vector<double> power_of(const Value& value) {
     std::vector<std::complex<double>> turns, lines(foam_side * foam_side);
     for (int i = 0; i < foam_side; ++i) turns.push_back(std::polar(1.0, -2 * std::numbers::pi * i / foam_side));
     for (int y = 0; y < foam_side; ++y)
         for (int k = 0; k < foam_side; ++k)
             for (int x = 0; x < foam_side; ++x)
                 lines[static_cast<std::size_t>(y * foam_side + k)] +=
-                    turns[static_cast<std::size_t>(k * x % foam_side)] * rank(layer, x, y);
+                    turns[static_cast<std::size_t>(k * x % foam_side)] * value(x, y);
     std::vector<double> power(foam_side * foam_side);
     for (int k = 0; k < foam_side; ++k)
         for (int l = 0; l <= foam_side / 2; ++l) {
@@ -91,7 +92,7 @@ std::vector<double> power_of(FoamImage::Layer layer) {
 /// `waves_per_m(kx, ky)` is 1 / wavelength.
 template <class WavesPerMetre>
 std::array<double, 3> wavelengths(FoamImage::Layer layer, const char* name, const WavesPerMetre& waves_per_m) {
-    const std::vector<double> power = power_of(layer);
+    const std::vector<double> power = power_of([&](int x, int y) { return rank(layer, x, y); });
     std::vector<std::pair<double, double>> sorted;
     double all = 0;
     for (int i = 0; i < foam_side * foam_side; ++i)
@@ -119,12 +120,12 @@ TEST(FoamImage, HasThreeScales) {
     using gl::FoamSizes;
     const auto round = [](double tile_m) { return [=](int kx, int ky) { return std::hypot(kx, ky) / tile_m; }; };
     const auto bubbles = wavelengths(FoamImage::bubbles, "bubbles", round(FoamSizes::bubbles_m));
-    EXPECT_LT(bubbles[0], 0.1);
-    EXPECT_LT(bubbles[1], 0.05);
-    EXPECT_GT(bubbles[2], 0.01);
+    EXPECT_LT(bubbles[0], 0.02);
+    EXPECT_LT(bubbles[1], 0.008);
+    EXPECT_GT(bubbles[2], 0.001);
     const auto lace = wavelengths(FoamImage::lace, "lace", round(FoamSizes::lace_m));
-    EXPECT_LT(lace[1], 1);
-    EXPECT_GT(lace[2], 0.1);
+    EXPECT_GT(lace[1], 1);
+    EXPECT_GT(lace[0], 10 * lace[2]);  // a decade of sizes at each scale
     const auto across = wavelengths(FoamImage::streaks, "streaks across",
                                     [](int, int ky) { return (ky + 0.01) / FoamSizes::streaks_across_m[0]; });
     const auto along = wavelengths(FoamImage::streaks, "streaks along",
@@ -132,6 +133,43 @@ TEST(FoamImage, HasThreeScales) {
     EXPECT_LT(across[1], 20);
     EXPECT_GT(across[2], 1);
     EXPECT_GT(along[1], 5 * across[1]);  // streaks are many times as long as their spacing
+}
+
+// Walls of equal cells would be a peak of the spectrum: white noise through a filter of one octave
+// exceeds its neighbours by far more than 1.5. Octaves below 4 waves hold too few to compare.
+TEST(FoamImage, CoverOfLaceHasNoPreferredSize) {
+    for (const double amount : {0.2, 0.5, 0.8}) {
+        const std::vector<double> power =
+            power_of([&](int x, int y) { return rank(FoamImage::lace, x, y) > 1 - amount ? 1.0 : 0.0; });
+        std::array<double, 7> octaves{};
+        for (int i = 0; i < foam_side * foam_side; ++i)
+            if (const double k = std::hypot(i % foam_side, i / foam_side); k >= 1 && k < 128)
+                octaves[static_cast<std::size_t>(std::log2(k))] += power[static_cast<std::size_t>(i)];
+        for (std::size_t i = 2; i + 1 < octaves.size(); ++i) {
+            const double prevails = octaves[i] / std::sqrt(octaves[i - 1] * octaves[i + 1]);
+            std::printf("cover %.1f, %d waves: %.2f\n", amount, 1 << i, prevails);
+            EXPECT_LT(prevails, 1.5);
+        }
+    }
+}
+
+// Scores of independent samples are added, so each is a standard normal variable at every level.
+TEST(FoamImage, HasNormalScores) {
+    for (const FoamImage::Layer layer : layers)
+        for (int level = 0; level <= 4; ++level) {
+            const int width = foam_side >> level;
+            double sum = 0, square = 0;
+            for (int y = 0; y < width; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const double score =
+                        (image().texel(level, layer, x, y)[3] - 128) / 127.0 * double{FoamImage::largest_score};
+                    sum += score / (width * width);
+                    square += score * score / (width * width);
+                }
+            // A byte is 0.025, and scores above 3.2 are cut off.
+            EXPECT_NEAR(sum, 0, 0.02) << "layer " << layer << ", level " << level;
+            EXPECT_NEAR(square, 1, 0.04) << "layer " << layer << ", level " << level;
+        }
 }
 
 TEST(FoamImage, DoesNotDependOnTheNumberOfThreads) {

@@ -1,19 +1,31 @@
-// Coverage, thickness and light of foam in a pixel.
+// Cover, structure and light of foam in a pixel.
 //
 // Snapshots of the cascades give the amount of foam (snapshot_foam.glsl), and a texture gives its
-// structure at three scales (gl/water/foam_image.hpp). Each scale redistributes its amount to the
-// next finer scale without a change of the mean, so the mean coverage is the same at any distance.
-// The amount is also an age: foam of amount 1 is breaking now. Foam of amount 0.5 broke 1.4 s ago
-// and opens into threads.
+// structure (gl/water/foam_image.hpp). The amount is the mean cover, and an age too: foam of amount
+// 1 is breaking now; foam of amount 0.5 broke 1.4 s ago.
+//
+// Let g be a standard normal variable of the place, a sum of scores of the texture, and z(a) the
+// score of the amount a, so that P(g > -z(a)) = a. The sheet has the margin e = g + z(a). It covers
+// the water where e > 0, and is thick where e > thick_margin: young foam is thick in most places,
+// old foam only in the middle of its threads. A pixel resolves a part of g; the rest is normal too,
+// so its means have a closed form, and neither cover nor light depends on the distance.
 //
 // Whitlock, Bartlett and Gurganus 1982, "Sea foam reflectance and influence on optimum wavelength
 // for remote sensing of ocean aerosols"; Koepke 1984, "Effective reflectance of oceanic whitecaps".
-// HEADSET samples lace only; MEDIUM samples lace and streaks; HIGH also samples bubbles.
+// HEADSET samples one scale of lace; MEDIUM samples two, and streaks; HIGH samples three, streaks,
+// and bubbles or far streaks.
 uniform highp sampler2DArray foam_structure;  // bubbles, lace, streaks
 
 const int bubbles_layer = 0, lace_layer = 1, streaks_layer = 2;
 const float foam_texels = 256.0;  // texels along each axis
-const float fresh_foam_m = 0.12;  // height of fresh foam above the water
+// Deviations: of the margin at a point, which softens edges, and of the margin of thick foam.
+const float edge_softness = 0.12, thick_softness = 0.6;
+const float thick_margin = 3.0, largest_margin = 3.7;
+// Fine structure of weight 0.4 counts for 0.7 in the margin of thick foam: 0.7^2 - 0.4^2 of variance.
+const float fine_weight = 0.4, thick_fine_weight = 0.7, thick_variance = 0.33;
+// Thick part of the cover, if all ages are equally frequent.
+const float thick_in_mean = 0.12;
+const float film_share = 0.2;
 
 struct Foam {
     float cover;      // covered fraction of the pixel
@@ -21,34 +33,55 @@ struct Foam {
     float plume;      // bubbles below the surface, 0 to 1
     vec2 slopes;      // slopes of the relief
     float hollow;     // 0 on top of the relief, 1 in its hollows
+    float shade;      // sunlight that a breaking crest keeps away, 0 to 1
 };
 
-// Returns the coverage at a point of rank `rank` in [0, 1], if foam covers the fraction `amount` of
-// all points. Points of the highest rank are covered first. The edge is 2 soft wide, at most 1. The
-// mean over all ranks is exactly `amount`: the edge is moved where it would leave [0, 1].
-float gathered(float amount, float rank, float soft) {
-    float low = min(amount, 1.0 - amount);
-    float inside = low < soft ? 2.0 * sqrt(soft * max(low, 0.0)) - soft : low;
-    float edge = amount < 0.5 ? 1.0 - inside : inside;
-    return clamp((rank - edge) / (2.0 * soft) + 0.5, 0.0, 1.0);
+// Returns the score that a standard normal variable exceeds with probability 1 - fraction (Winitzki
+// 2008, "A handy approximation for the error function and its inverse").
+float score_of(float fraction) {
+    float f = clamp(fraction, 1e-4, 0.9999);
+    float log_f = log(4.0 * f * (1.0 - f)), t = 4.3307 + 0.5 * log_f;
+    return sign(f - 0.5) * sqrt(max(2.0 * (sqrt(t * t - log_f / 0.147) - t), 0.0));
 }
 
-// Returns gathered() in a pixel of length pixel_m. Structure smaller than the pixel is replaced by
-// its mean.
-float gathered_in_pixel(float amount, float rank, float soft, float pixel_m, float scale_m) {
-    float blur = pixel_m / scale_m;
-    return mix(gathered(amount, rank, min(soft + 0.5 * blur, 0.5)), amount, smoothstep(0.4, 2.0, blur));
+// Returns the probability that a standard normal variable is below x (Page 1977).
+float fraction_below(float x) { return 1.0 / (1.0 + exp(-x * (1.5976 + 0.070566 * x * x))); }
+
+// The structure in a pixel.
+struct Sheet {
+    float score;   // resolved part of g
+    float shown;   // its variance
+    vec2 slopes;
+};
+
+// Adds a scale of structure, whose variance is weight^2. A pixel of length `limit_m` resolves
+// nothing of it; each octave has half of the variance of the next wider one.
+void add_scale(inout Sheet sheet, vec4 texel, float weight, float pixel_m, float limit_m, float steepness) {
+    float seen = clamp(1.0 - pixel_m / limit_m, 0.0, 1.0);
+    sheet.score += weight * sqrt(seen) * texel.w;
+    sheet.shown += weight * weight * seen;
+    sheet.slopes += steepness * seen * texel.yz;
 }
 
-// Samples a layer and converts its signed bytes to [-1, 1]. The mip has texels of the pixel's
-// length, but is half a level finer, because interpolation blurs ranks.
+// Samples a layer and converts its signed bytes: slopes to [-1, 1], scores to deviations. The mip
+// has texels of the pixel's length, but is half a level finer, because interpolation blurs.
 vec4 structure(int layer, vec2 uv, float pixel_cascades) {
     vec4 texel = textureLod(foam_structure, vec3(uv, layer), log2(max(pixel_cascades * foam_texels, 1.0)) - 0.5);
-    texel.yz = (texel.yz * 255.0 - 128.0) / 127.0;
+    texel.yzw = (texel.yzw * 255.0 - 128.0) / 127.0;
+    texel.w *= 3.2;
     return texel;
 }
 
-const float film_thickness = 0.1;
+// Lace is sampled at narrower scales too, rotated. Products with complex integers keep the period.
+const vec2 wide_lace = vec2(1.0, 0.0), middle_lace = vec2(3.0, 2.0), fine_lace = vec2(11.0, -7.0);
+
+vec4 lace_at(vec2 turn, vec2 at, float pixel_m) {
+    vec2 uv = at * noise_scale.y + foam_shift.zw;
+    uv = vec2(turn.x * uv.x - turn.y * uv.y, turn.y * uv.x + turn.x * uv.y);
+    vec4 texel = structure(lace_layer, uv, pixel_m * noise_scale.y * length(turn));
+    texel.yz = vec2(turn.x * texel.y + turn.y * texel.z, turn.x * texel.z - turn.y * texel.y) / length(turn);
+    return texel;
+}
 
 // Only the open sea has streaks.
 #define STREAKS (SHADING >= MEDIUM && SURFACE == OPEN)
@@ -62,86 +95,127 @@ vec4 streaks_at(int size, vec2 at, float pixel_m) {
     return structure(streaks_layer, uv, pixel_m * place.y);
 }
 
+// Returns the derivatives of a value along x and z, from its differences between pixels.
+vec2 gradient_of(float value, Footprint pixel) {
+    float area = pixel.dx.x * pixel.dy.y - pixel.dx.y * pixel.dy.x;
+    vec2 change = vec2(dFdx(value), dFdy(value)) / (abs(area) < 1e-9 ? 1e-9 : area);
+    return vec2(pixel.dy.y * change.x - pixel.dx.y * change.y, pixel.dx.x * change.y - pixel.dy.x * change.x);
+}
 #endif
-
-// Returns the fraction of the foam that is fresh. In a mean over uniformly distributed ages it is
-// one half.
-float breaking_fraction(float cover, float mean) { return mix(smoothstep(0.4, 1.0, cover), 0.5, mean); }
 
 // Returns the foam of a pixel.
 Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     Footprint pixel = footprint_of(at);
     float pixel_m = max(length(pixel.dx), length(pixel.dy));
-    vec2 ragged = vec2(0.0);
+    const float middle_limit_m = 0.6;
+    Sheet sheet = Sheet(0.0, 0.0, vec2(0.0));
+    vec4 middle = lace_at(middle_lace, at, pixel_m);
 #if STREAKS
-    vec4 streaks = streaks_at(0, at, pixel_m);
-    ragged = 0.5 * streaks.yz;
+    const float wide_limit_m = 2.1;
+    vec4 wide = lace_at(wide_lace, at, pixel_m);
+#if THREE_SCALES
+    add_scale(sheet, middle, 0.6, pixel_m, middle_limit_m, 1.1);
+    add_scale(sheet, wide, 0.55, pixel_m, wide_limit_m, 0.6);
+#else
+    add_scale(sheet, middle, 0.72, pixel_m, middle_limit_m, 1.1);
+    add_scale(sheet, wide, 0.55, pixel_m, wide_limit_m, 0.6);
+#endif
+#else
+    add_scale(sheet, middle, 0.97, pixel_m, middle_limit_m, 0.9);
 #endif
 #if SURFACE == OPEN
-    FoamOfWaves there = foam_of_snapshots(at, distance_m, surface.compression, pixel.wide_m);
+    // Edges of breaking crests are ragged at all scales: structure bends the place and the threshold.
+#if STREAKS
+    vec2 wind = waves.zw, across = vec2(-wind.y, wind.x);
+    vec2 bend = wind * (0.22 * wide.w + 0.08 * middle.w) + across * (0.12 * middle.w - 0.12 * wide.w);
+    vec2 steepening = gradient_of(surface.compression, pixel);
+    float present = surface.compression + clamp(dot(steepening, bend), -0.3, 0.3);
+#else
+    vec2 bend = vec2(0.12, 0.09) * middle.w;
+    float present = surface.compression;
+#endif
+    const float torn = 0.45;
+    float spread = sqrt(1.0 + torn * torn * sheet.shown);
+    FoamOfWaves there = foam_of_snapshots(at + bend, distance_m, present, pixel.wide_m, torn * sheet.score, spread);
 #ifdef SHORE
-    there = with_foam_of_shore(there, ragged);
+    there = with_foam_of_shore(there, bend);
 #endif
 #ifdef DYNAMIC_WAVES
     there = with_foam_of(there, surface.crests, log2(max(pixel.wide_m * dynamic_waves_place.w, 1e-3)), 1.0);
 #endif
-    float amount = there.cover, freshness = breaking_fraction(there.cover, there.mean), thickest = there.thick;
-    float dense = smoothstep(0.6, 0.8, amount) * (1.0 - there.mean);
+    float amount = there.cover, thickest = there.thick, mean = there.mean;
 #else
-    float amount = surface.crests, freshness = 1.0, thickest = 1.0, dense = 0.0;
+    float amount = surface.crests, thickest = 1.0, mean = 0.0;
 #endif
-    float fresh = amount * freshness, plume = amount;
-    // Fresh foam is raised, so the view ray meets it at an offset towards the eye.
-    vec2 behind = to_eye.xz / max(to_eye.y, 0.3);
-    vec2 lace_uv = (at + behind * (fresh_foam_m * fresh)) * noise_scale.y + foam_shift.zw;
-
-#if THREE_SCALES
-    // The third texture sample depends on the pixel size: bubbles near the eye, the widest windrows
-    // far away.
-    bool far = pixel_m > 0.35;
-    vec4 third = far ? streaks_at(1, at, pixel_m)
-                     : structure(bubbles_layer, at * noise_scale.x + foam_shift.xy, pixel_m * noise_scale.x);
-    float broad = smoothstep(0.35, 1.5, pixel_m) * foam_kind.w * (1.0 - freshness);
-    amount = mix(amount, gathered_in_pixel(amount, third.x, 0.4, pixel_m, 60.0), broad);
-#endif
-#if STREAKS
     // In a gale windrows gather films of old bubbles, which outlast the foam of the snapshots.
-    float film = foam_kind.z;
-#if THREE_SCALES
-    film = mix(film, gathered_in_pixel(film, third.x, 0.4, pixel_m, 60.0), smoothstep(0.35, 1.5, pixel_m));
-#endif
-    film = gathered_in_pixel(film, streaks.x, 0.2, pixel_m, 3.0);
-    amount = mix(gathered_in_pixel(amount, streaks.x, foam_kind.y, pixel_m, 3.0), amount, mix(0.5, 1.0, freshness));
-    lace_uv += 0.30 * streaks.yz;
-#endif
-
-    vec4 lace = structure(lace_layer, lace_uv, pixel_m * noise_scale.y);
-    // The edges of breaking crests are ragged already, so lace opens old foam only.
-    float cover = mix(gathered_in_pixel(amount, lace.x, mix(0.25, 0.35, freshness), pixel_m, 0.5), amount, dense);
-    float thickness = thickest * (freshness * (0.55 + 0.45 * lace.x) + (1.0 - freshness) * (0.05 + 0.35 * lace.x * amount));
 #if STREAKS
-    film = gathered_in_pixel(film, lace.x, 0.35, pixel_m, 0.5) * (1.0 - cover);
-    thickness = mix(thickness, film_thickness, film / max(cover + film, 1e-4));
-    cover += film;
+    float film = film_share * foam_kind.z;
+#else
+    float film = 0.0;
 #endif
-    float near = 1.0 - smoothstep(0.02, 0.25, pixel_m);
-    vec2 relief = lace.yz * (0.55 * near);
-    float hollow = (1.0 - lace.x) * 0.6;
+    Foam foam = Foam(0.0, 0.0, amount, vec2(0.0), 0.0, 0.0);
+#if STREAKS
+    // A breaking crest is a lip of foam above the water in front of it.
+    float lip_height_m = 0.25 * (1.0 - smoothstep(0.1, 0.4, pixel_m));
+    vec2 rise = steepening / (foam_ramp * spread);
+    rise *= min(6.0 / max(length(rise), 1e-3), 1.0);
+    float lip = 0.5 + (present + torn * sheet.score - foam_kind.x * spread) / (foam_ramp * spread);
+    float behind = dot(rise, sun.xz) / max(sun.y, 0.25);
+    foam.shade = (1.0 - clamp(lip, 0.0, 1.0)) * clamp(lip + lip_height_m * max(behind, 0.5 * length(rise)), 0.0, 1.0);
+    foam.slopes = rise * (lip_height_m * clamp(4.0 * lip * (1.0 - lip), 0.0, 1.0));
+#endif
+    if (amount <= 0.0 && film <= 0.0) return foam;
+
+#if STREAKS
+    // Windrows gather old foam too, and begin and end softly, because lace joins them in one sum.
+    vec4 streaks = streaks_at(0, at, pixel_m);
+    float along = 0.3 * foam_kind.w;
+    Sheet rows = Sheet(0.5 * sheet.score, 0.25 * sheet.shown, vec2(0.0));
+    add_scale(sheet, streaks, along, pixel_m, 4.0, 0.0);
+    add_scale(rows, streaks, 0.65, pixel_m, 4.0, 0.0);
+#endif
+    float thick_score = 0.0, thick_unseen = thick_variance + thick_softness * thick_softness;
+    float hollow_score = -0.5 * middle.w, hollow_shown = clamp(1.0 - pixel_m / middle_limit_m, 0.0, 1.0);
 #if THREE_SCALES
-    if (!far) {
-        float seen = 1.0 - smoothstep(0.005, 0.06, pixel_m);
-        cover = mix(cover, gathered(cover, third.x, 0.3), seen);
-        relief += third.yz * (0.6 * seen);
-        hollow = mix(hollow, hollow * 0.5 + 0.5 * (1.0 - third.w), seen);
-        thickness *= 1.0 - 0.25 * seen * (1.0 - third.w);
+    vec4 fine = lace_at(fine_lace, at + 0.02 * middle.yz, pixel_m);
+    add_scale(sheet, fine, fine_weight, pixel_m, 0.16, 1.3);
+    float fine_shown = clamp(1.0 - pixel_m / 0.16, 0.0, 1.0);
+    thick_score = (thick_fine_weight - fine_weight) * sqrt(fine_shown) * fine.w;
+    thick_unseen -= thick_variance * fine_shown;
+    hollow_score -= 0.8 * fine_shown * fine.w;
+    // The last sample depends on the pixel size: bubbles near the eye, the widest windrows far away.
+    if (pixel_m > 0.35) {
+        vec4 far = streaks_at(1, at, pixel_m);
+        far.w *= smoothstep(0.35, 1.5, pixel_m);
+        add_scale(rows, far, 0.45, pixel_m, 25.0, 0.0);
+    } else if (pixel_m < 0.006) {
+        vec4 bubbles = structure(bubbles_layer, at * noise_scale.x + foam_shift.xy, pixel_m * noise_scale.x);
+        add_scale(sheet, bubbles, 0.2, pixel_m, 0.006, 0.8);
     }
 #endif
-    return Foam(cover, thickness, plume, relief, hollow);
+
+    float margin = sheet.score + min(score_of(amount), largest_margin);
+    float unseen = max(1.0 - sheet.shown, edge_softness * edge_softness);
+    float cover = fraction_below(margin * inversesqrt(unseen));
+    float thick = fraction_below((margin + thick_score - thick_margin) * inversesqrt(unseen + thick_unseen));
+    cover = mix(cover, amount, mean) * min(100.0 * amount, 1.0);
+    thick = thickest * min(mix(thick, amount * thick_in_mean, mean), cover);
+#if STREAKS
+    if (film > 0.0) {
+        float gathered = fraction_below((rows.score + score_of(film)) * inversesqrt(max(1.0 - rows.shown, 0.1)));
+        cover += gathered * (1.0 - cover);
+    }
+#endif
+    foam.cover = cover;
+    foam.thickness = thick / max(cover, 1e-4);
+    foam.slopes += sheet.slopes;
+    foam.hollow = mix(0.35, clamp(1.1 * hollow_score, 0.0, 1.0), hollow_shown);
+    return foam;
 }
 
-// Returns the albedo, from 0.2 for a translucent film to 0.7 for thick foam in visible light
+// Returns the albedo, from a film of a few bubbles to thick foam in visible light, 0.7 at most
 // (Whitlock et al. 1982; Koepke 1984).
-float foam_albedo(float thickness) { return mix(0.2, 0.7, thickness); }
+float foam_albedo(float thickness) { return mix(0.07, 0.74, thickness); }
 
 // Returns the light of water with bubbles below foam. Bubbles scatter white light, and the water
 // absorbs red light.
@@ -156,7 +230,7 @@ vec3 with_foam(vec3 radiance, Foam foam, vec3 normal, vec3 to_eye, float fresnel
     float height = max(sun.y, 0.0);
     vec3 light_down = sunlight() * height + sky_irradiance.rgb;
     vec3 plume = light_of_plume(light_down);
-    radiance += plume * (0.6 * foam.plume * (1.0 - fresnel));
+    radiance = (radiance + plume * (0.2 * foam.plume * (1.0 - fresnel))) * (1.0 - 0.5 * foam.shade);
     if (foam.cover <= 0.0) return radiance;
 
     vec3 bumpy = normalize(normal - vec3(foam.slopes.x, 0.0, foam.slopes.y) * foam.thickness);
@@ -166,8 +240,8 @@ vec3 with_foam(vec3 radiance, Foam foam, vec3 normal, vec3 to_eye, float fresnel
     // Light of a low sun does not reach hollows.
     float shadow = foam.hollow * foam.thickness;
     facing *= 1.0 - shadow * (1.0 - smoothstep(0.1, 0.9, height));
-    float open = (0.5 + 0.5 * bumpy.y) * (1.0 - 0.35 * shadow);
-    vec3 light = sunlight() * facing + sky_irradiance.rgb * open;
+    float open = 0.5 + 0.5 * bumpy.y;
+    vec3 light = (sunlight() * facing + sky_irradiance.rgb * open) * (1.0 - 0.6 * shadow);
 
     float albedo = foam_albedo(foam.thickness);
     // Wet bubbles reflect like rough water.

@@ -80,8 +80,9 @@ vec2 foam_bend(vec2 at, float distance_m) {
 #endif
 
 // Returns the foam of water whose compression is that of the snapshots, and `present` now, in
-// standard deviations.
-FoamOfWaves foam_of_snapshots(vec2 at, float distance_m, float present, float wide_m) {
+// standard deviations. Normal noise `torn` is added to all of them; `spread` is the deviation of the
+// sum, by which the threshold grows.
+FoamOfWaves foam_of_snapshots(vec2 at, float distance_m, float present, float wide_m, float torn, float spread) {
     if (foam_kind.x >= no_foam_level) return no_foam;
     vec4 sums[snapshot_images];
     for (int image = 0; image < snapshot_images; ++image) sums[image] = vec4(0.0);
@@ -106,9 +107,10 @@ FoamOfWaves foam_of_snapshots(vec2 at, float distance_m, float present, float wi
         if (weight > 0.0) add_compressions(cascade, uv, mip, weight, sums);
     }
 
-    float foam = clamp(0.5 + (present - foam_kind.x) / foam_ramp, 0.0, 1.0);
+    float scale = 1.0 / (foam_ramp * spread), offset = 0.5 + torn * scale - foam_kind.x / foam_ramp;
+    float foam = clamp(offset + present * scale, 0.0, 1.0);
     for (int image = 0; image < snapshot_images; ++image) {
-        vec4 left = clamp(0.5 + (sums[image] - foam_kind.x) / foam_ramp, 0.0, 1.0) - foam_age[image];
+        vec4 left = clamp(offset + sums[image] * scale, 0.0, 1.0) - foam_age[image];
         foam = max(foam, max(max(left.x, left.y), max(left.z, left.w)));
     }
     // What a wide pixel does not resolve breaks too.

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <numbers>
 #include <utility>
 
 #include "pelagic/gl/water/tileable_noise.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int foam_side = FoamImage::side;
 
-/// Texels of a layer: the value to rank, two signed numbers, a number in [0, 1].
+/// Texels of a layer: the value to rank, and two signed numbers. The fourth is unused.
 using Texels = std::vector<glm::vec4>;
 
 std::size_t at(int x, int y, int side = foam_side) {
@@ -35,43 +36,46 @@ class Bubbles {
         for (std::size_t size = 0; size < sizes_.size(); ++size) {
             const glm::vec2 d = sizes_[size].nearest(place);
             const float across = std::clamp(1 - (d.y - d.x) * 1.6f, 0.f, 1.f);  // 1 at a wall
-            highest = std::max(highest, heights[size] * std::sqrt(1 - across * across));
+            // The second term keeps tops of caps apart in the order of ranks.
+            highest = std::max(highest, heights[size] * (std::sqrt(1 - across * across) + 0.1f * (d.y - d.x)));
         }
-        return {highest, 0, 0, highest};
+        return {highest, 0, 0, 0};
     }
 
    private:
     std::array<CellNoise, 3> sizes_;
 };
 
-/// Threads along the walls of cells. As foam ages, holes grow from the centres of the cells, and
-/// threads around the largest cells vanish last. Low-frequency noise breaks the threads.
+/// A torn sheet. Holes of five sizes add up, and so do lumps of the same sizes, so that no size
+/// prevails: the variance falls by half from each octave to the next finer one.
 class Lace {
    public:
     explicit Lace(std::minstd_rand& engine)
-        : sizes_{CellNoise(7, 0.55f, engine), CellNoise(15, 0.5f, engine), CellNoise(37, 0.4f, engine)},
-          bend_{GradientNoise(5, 5, engine), GradientNoise(5, 5, engine)},
-          fine_bend_{GradientNoise(23, 23, engine), GradientNoise(23, 23, engine)},
-          weak_{GradientNoise(9, 9, engine), GradientNoise(29, 29, engine)} {}
+        : holes_{CellNoise(5, 0.6f, engine), CellNoise(11, 0.55f, engine), CellNoise(23, 0.5f, engine),
+                 CellNoise(47, 0.45f, engine), CellNoise(89, 0.4f, engine)},
+          lumps_{GradientNoise(3, 3, engine), GradientNoise(7, 7, engine), GradientNoise(15, 15, engine),
+                 GradientNoise(31, 31, engine), GradientNoise(67, 67, engine)},
+          bend_{GradientNoise(4, 4, engine), GradientNoise(4, 4, engine), GradientNoise(13, 13, engine),
+                GradientNoise(13, 13, engine), GradientNoise(37, 37, engine), GradientNoise(37, 37, engine)} {}
 
     glm::vec4 texel(glm::vec2 place) const {
-        constexpr std::array strengths = {1.f, 0.84f, 0.62f};
-        constexpr std::array fading = {7.f, 9.f, 9.f};  // decrease of strength per texture period
-        const glm::vec2 bent = place + 0.04f * glm::vec2(bend_[0].at(place), bend_[1].at(place)) +
-                               0.010f * glm::vec2(fine_bend_[0].at(place), fine_bend_[1].at(place));
-        float thread = 0, froth = 0;
-        for (std::size_t size = 0; size < sizes_.size(); ++size) {
-            const glm::vec2 d = sizes_[size].nearest(bent);
-            const float from_wall = (d.y - d.x) / static_cast<float>(sizes_[size].cells());
-            thread = std::max(thread, strengths[size] - from_wall * fading[size]);
-            froth = std::max(froth, (size == 2 ? 1.f : 0.6f) * std::max(0.f, 1 - 1.2f * (d.y - d.x)));
+        glm::vec2 bent = place;
+        for (std::size_t i = 0; i < bend_.size(); i += 2)
+            bent += (0.2f / static_cast<float>(bend_sizes[i / 2])) *
+                    glm::vec2(bend_[i].at(place), bend_[i + 1].at(place));
+        float sheet = 0, size = 1;
+        for (std::size_t i = 0; i < holes_.size(); ++i) {
+            sheet += size * (0.9f * holes_[i].nearest(bent).x + 0.55f * lumps_[i].at(bent));
+            size *= 0.88f;
         }
-        return {thread + 0.13f * weak_[0].at(place) + 0.10f * weak_[1].at(place), 0, 0, froth};
+        return {sheet, 0, 0, 0};
     }
 
    private:
-    std::array<CellNoise, 3> sizes_;
-    std::array<GradientNoise, 2> bend_, fine_bend_, weak_;
+    static constexpr std::array bend_sizes = {4, 13, 37};
+    std::array<CellNoise, 5> holes_;
+    std::array<GradientNoise, 5> lumps_;
+    std::array<GradientNoise, 6> bend_;
 };
 
 /// Ridges along the wind that merge and split, with gaps.
@@ -83,8 +87,7 @@ class Streaks {
           bend_{GradientNoise(4, 5, engine), GradientNoise(13, 19, engine)},
           breaking_(9, 7, engine),
           warp_{GradientNoise(9, 5, engine), GradientNoise(9, 5, engine)},
-          fine_warp_{GradientNoise(31, 13, engine), GradientNoise(31, 13, engine)},
-          patches_{GradientNoise(4, 3, engine), GradientNoise(11, 7, engine)} {}
+          fine_warp_{GradientNoise(31, 13, engine), GradientNoise(31, 13, engine)} {}
 
     glm::vec4 texel(glm::vec2 place) const {
         constexpr std::array weights = {0.30f, 0.28f, 0.24f, 0.18f};
@@ -95,14 +98,14 @@ class Streaks {
         const auto warp = [&](std::size_t axis) {
             return std::clamp(0.9f * warp_[axis].at(place) + 0.3f * fine_warp_[axis].at(place), -1.f, 1.f);
         };
-        return {ridge, warp(0), warp(1), patches_[0].at(place) + 0.5f * patches_[1].at(place)};
+        return {ridge, warp(0), warp(1), 0};
     }
 
    private:
     std::array<GradientNoise, 4> ridges_;
     std::array<GradientNoise, 2> bend_;
     GradientNoise breaking_;
-    std::array<GradientNoise, 2> warp_, fine_warp_, patches_;
+    std::array<GradientNoise, 2> warp_, fine_warp_;
 };
 
 /// Computes slopes of the value to rank by central differences, scaled so that few exceed [-1, 1]
@@ -123,14 +126,22 @@ void add_slopes(Texels& texels) {
     }
 }
 
-/// Replaces the values of one member by their ranks in (0, 1). For any distribution of values, the
-/// fraction 1 - a of the texels then exceeds a threshold a.
-void rank(Texels& texels, float glm::vec4::*member) {
+/// Replaces the values by their ranks in (0, 1). For any distribution of values, the fraction 1 - a
+/// of the texels then exceeds a threshold a.
+void rank(Texels& texels) {
     std::vector<std::pair<float, std::uint32_t>> order(texels.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {texels[i].*member, i};
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {texels[i].x, i};
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i)
-        texels[order[i].second].*member = (static_cast<float>(i) + 0.5f) / static_cast<float>(order.size());
+        texels[order[i].second].x = (static_cast<float>(i) + 0.5f) / static_cast<float>(order.size());
+}
+
+/// Returns the value that a standard normal variable exceeds with probability 1 - rank, within
+/// 0.007 (Winitzki 2008, "A handy approximation for the error function and its inverse").
+float normal_score(float rank) {
+    constexpr float a = 0.147f;
+    const float log = std::log(4 * rank * (1 - rank)), t = 2 / (std::numbers::pi_v<float> * a) + 0.5f * log;
+    return std::copysign(std::sqrt(2 * (std::sqrt(t * t - log / a) - t)), rank - 0.5f);
 }
 
 Texels halved(const Texels& texels, int side) {
@@ -196,22 +207,19 @@ class FoamBake {
 
     void make_levels(int layer) {
         Texels& texels = layers_[static_cast<std::size_t>(layer)];
-        if (layer == FoamImage::streaks)
-            rank(texels, &glm::vec4::w);
-        else
-            add_slopes(texels);
-        rank(texels, &glm::vec4::x);
+        if (layer != FoamImage::streaks) add_slopes(texels);
+        rank(texels);
         for (int level = 0; level < FoamImage::levels; ++level) {
             Texels shown = texels;
             // Averages concentrate around 0.5, where a threshold would cover all or nothing, so
             // they are ranked again.
-            if (level > 0) rank(shown, &glm::vec4::x);
+            if (level > 0) rank(shown);
             std::uint8_t* to = &image_.texels[start_of(level, layer)];
             for (const glm::vec4& texel : shown) {
                 *to++ = byte_of(texel.x);
                 *to++ = signed_byte_of(texel.y);
                 *to++ = signed_byte_of(texel.z);
-                *to++ = byte_of(texel.w);
+                *to++ = signed_byte_of(normal_score(texel.x) / FoamImage::largest_score);
             }
             texels = halved(texels, foam_side >> level);
         }

@@ -60,31 +60,44 @@ namespace Pelagic
         }
 
         /// <summary>
-        /// Structure of foam, threads along the walls of cells: the fraction of texels that are lower; slopes of the
-        /// threads as (byte - 128) / 127; 0. On each level the fraction a exceeds 1 - a.
+        /// Structure of foam, a torn sheet with holes of many sizes: the fraction of texels that are lower; slopes as
+        /// (byte - 128) / 127; the standard normal score of the fraction as 3.2 (byte - 128) / 127. On each level the
+        /// fraction a exceeds 1 - a.
         /// </summary>
         public static byte[][] Lace()
         {
             var random = new Random(11);
-            CellNoise[] sizes = { new CellNoise(7, 0.55, random), new CellNoise(15, 0.5, random), new CellNoise(37, 0.4, random) };
-            double[] strengths = { 1, 0.84, 0.62 }, fading = { 7, 9, 9 };
-            GradientNoise bendX = new GradientNoise(5, random), bendZ = new GradientNoise(5, random), fineX = new GradientNoise(23, random),
-                          fineZ = new GradientNoise(23, random), weak = new GradientNoise(9, random), fineWeak = new GradientNoise(29, random);
-            var threads = new float[Side * Side];
+            CellNoise[] holes = { new CellNoise(5, 0.6, random), new CellNoise(11, 0.55, random),
+                                  new CellNoise(23, 0.5, random), new CellNoise(47, 0.45, random),
+                                  new CellNoise(89, 0.4, random) };
+            int[] lumpSizes = { 3, 7, 15, 31, 67 }, bendSizes = { 4, 13, 37 };
+            var lumps = Array.ConvertAll(lumpSizes, size => new GradientNoise(size, random));
+            GradientNoise[] bendX = Array.ConvertAll(bendSizes, size => new GradientNoise(size, random)),
+                            bendZ = Array.ConvertAll(bendSizes, size => new GradientNoise(size, random));
+            var sheet = new float[Side * Side];
             for (var j = 0; j < Side; ++j)
                 for (var i = 0; i < Side; ++i)
                 {
-                    double x = (i + 0.5) / Side, z = (j + 0.5) / Side, thread = 0;
-                    double bentX = x + 0.04 * bendX.At(x, z) + 0.01 * fineX.At(x, z), bentZ = z + 0.04 * bendZ.At(x, z) + 0.01 * fineZ.At(x, z);
-                    for (var size = 0; size < 3; ++size) thread = Math.Max(thread, strengths[size] - sizes[size].FromWall(bentX, bentZ) * fading[size]);
-                    threads[j * Side + i] = (float)(thread + 0.13 * weak.At(x, z) + 0.1 * fineWeak.At(x, z));
+                    double x = (i + 0.5) / Side, z = (j + 0.5) / Side, bentX = x, bentZ = z, height = 0, weight = 1;
+                    for (var bend = 0; bend < bendSizes.Length; ++bend)
+                    {
+                        bentX += 0.2 / bendSizes[bend] * bendX[bend].At(x, z);
+                        bentZ += 0.2 / bendSizes[bend] * bendZ[bend].At(x, z);
+                    }
+                    for (var size = 0; size < holes.Length; ++size)
+                    {
+                        double hole = holes[size].Distance(bentX, bentZ), lump = lumps[size].At(bentX, bentZ);
+                        height += weight * (0.9 * hole + 0.55 * lump);
+                        weight *= 0.88;
+                    }
+                    sheet[j * Side + i] = (float)height;
                 }
-            float[] slopeX = new float[threads.Length], slopeZ = new float[threads.Length];
+            float[] slopeX = new float[sheet.Length], slopeZ = new float[sheet.Length];
             for (var j = 0; j < Side; ++j)
                 for (var i = 0; i < Side; ++i)
                 {
-                    slopeX[j * Side + i] = threads[j * Side + (i + 1) % Side] - threads[j * Side + (i + Side - 1) % Side];
-                    slopeZ[j * Side + i] = threads[(j + 1) % Side * Side + i] - threads[(j + Side - 1) % Side * Side + i];
+                    slopeX[j * Side + i] = sheet[j * Side + (i + 1) % Side] - sheet[j * Side + (i + Side - 1) % Side];
+                    slopeZ[j * Side + i] = sheet[(j + 1) % Side * Side + i] - sheet[(j + Side - 1) % Side * Side + i];
                 }
             var scale = (float)(0.3 / Math.Sqrt(MeanSquare(slopeX, slopeZ) / 2));
             for (var i = 0; i < slopeX.Length; ++i)
@@ -92,20 +105,21 @@ namespace Pelagic
                 slopeX[i] = Clamp(slopeX[i] * scale, -1, 1);
                 slopeZ[i] = Clamp(slopeZ[i] * scale, -1, 1);
             }
-            threads = Ranks(threads);
+            sheet = Ranks(sheet);
             var levels = new byte[Levels][];
             for (var level = 0; level < Levels; ++level)
             {
                 // Averages concentrate around 0.5, where a threshold would cover all or nothing.
-                var ranks = level == 0 ? threads : Ranks(threads);
+                var ranks = level == 0 ? sheet : Ranks(sheet);
                 levels[level] = new byte[4 * ranks.Length];
                 for (var i = 0; i < ranks.Length; ++i)
                 {
                     levels[level][4 * i] = ByteOf(ranks[i]);
                     levels[level][4 * i + 1] = (byte)Math.Round(128 + slopeX[i] * 127);
                     levels[level][4 * i + 2] = (byte)Math.Round(128 + slopeZ[i] * 127);
+                    levels[level][4 * i + 3] = (byte)Math.Round(128 + Clamp(Score(ranks[i]) / 3.2f, -1, 1) * 127);
                 }
-                threads = Halved(threads, Side >> level);
+                sheet = Halved(sheet, Side >> level);
                 slopeX = Halved(slopeX, Side >> level);
                 slopeZ = Halved(slopeZ, Side >> level);
             }
@@ -115,6 +129,13 @@ namespace Pelagic
         private static float Clamp(float value, float low, float high) => Math.Min(Math.Max(value, low), high);
         private static byte ByteOf(float value) => (byte)(Clamp(value, 0, 1) * 255 + 0.5f);
         private static double Fraction(double value) => value - Math.Floor(value);
+
+        /// <summary>Value that a standard normal variable exceeds with probability 1 - rank (Winitzki 2008).</summary>
+        private static float Score(float rank)
+        {
+            double log = Math.Log(4.0 * rank * (1 - rank)), t = 2 / (Math.PI * 0.147) + 0.5 * log;
+            return (float)(Math.Sign(rank - 0.5) * Math.Sqrt(2 * (Math.Sqrt(t * t - log / 0.147) - t)));
+        }
 
         private static double MeanSquare(float[] x, float[] z)
         {
@@ -168,21 +189,19 @@ namespace Pelagic
                 }
             }
 
-            /// <summary>Distance to the second nearest bubble less that to the nearest.</summary>
-            internal double FromWall(double atX, double atZ)
+            /// <summary>Distance to the nearest bubble, in squares; negative within it.</summary>
+            internal double Distance(double atX, double atZ)
             {
-                double px = Fraction(atX) * cells, pz = Fraction(atZ) * cells, nearest = 9, second = 9;
+                double px = Fraction(atX) * cells, pz = Fraction(atZ) * cells, nearest = 9;
                 int cellX = (int)px, cellZ = (int)pz;
                 for (var dz = -1; dz <= 1; ++dz)
                     for (var dx = -1; dx <= 1; ++dx)
                     {
                         var at = (cellZ + dz + cells) % cells * cells + (cellX + dx + cells) % cells;
                         double awayX = cellX + dx + x[at] - px, awayZ = cellZ + dz + z[at] - pz;
-                        var distance = Math.Sqrt(awayX * awayX + awayZ * awayZ) - radius[at];
-                        second = Math.Min(second, Math.Max(distance, nearest));
-                        nearest = Math.Min(nearest, distance);
+                        nearest = Math.Min(nearest, Math.Sqrt(awayX * awayX + awayZ * awayZ) - radius[at]);
                     }
-                return (second - nearest) / cells;
+                return nearest;
             }
         }
 

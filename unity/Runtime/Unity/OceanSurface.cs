@@ -13,7 +13,7 @@ namespace Pelagic.Unity
     {
         private const int Cascades = 4, FoamCascades = 3, PatchesOfDraw = 511;
         private const float WaterIndex = 1.333f;
-        private const double LaceM = 5.3, Gravity = 9.80665;
+        private const double LaceM = 17, Gravity = 9.80665;
 
         private static readonly int placeId = Shader.PropertyToID("_PelagicCascadePlace"), scaleId = Shader.PropertyToID("_PelagicCascadeScale"),
                                     slopeId = Shader.PropertyToID("_PelagicCascadeSlope"), foamCascadeId = Shader.PropertyToID("_PelagicFoamCascade"),

@@ -25,7 +25,7 @@ Texture2DArray _PelagicSnapshots;     // layer 3 i + j: image i of cascade j
 SamplerState sampler_PelagicSnapshots;
 Texture2D _PelagicRipples;            // slopes; alpha: fraction of the slopes that the mip resolves
 SamplerState sampler_PelagicRipples;
-Texture2D _PelagicLace;               // rank; slopes
+Texture2D _PelagicLace;               // rank; slopes; score
 SamplerState sampler_PelagicLace;
 
 // xy: the viewer's texture coordinates; zw: cosine and sine of the rotation, divided by the side
@@ -70,7 +70,7 @@ cbuffer PelagicPatches {
 
 static const float pelagic_pi = 3.14159265;
 static const float pelagic_water_index = 1.333;
-static const float pelagic_lace_m = 5.3;
+static const float pelagic_lace_m = 17.0;
 
 // ---- Cascades ----------------------------------------------------------------------------------
 
@@ -317,7 +317,7 @@ float3 PelagicThroughCrests(float3 normal, float3 to_eye, float height, float li
 
 // Returns the fraction of the water that is white. Without the mean over what wide pixels do not
 // resolve.
-float PelagicFoamCover(float2 at, float present, float wide_m) {
+float PelagicFoamCover(float2 at, float present, float wide_m, float torn, float spread) {
     if (_PelagicFoamKind.x >= 1000.0) return 0.0;
     float4 first = 0, second = 0;
     for (int cascade = 0; cascade < PELAGIC_FOAM_CASCADES; ++cascade) {
@@ -329,50 +329,52 @@ float PelagicFoamCover(float2 at, float present, float wide_m) {
             second += weight * (8.0 * _PelagicSnapshots.SampleLevel(sampler_PelagicSnapshots, float3(uv, PELAGIC_FOAM_CASCADES + cascade), mip) - 3.0);
         }
     }
-    first = saturate(0.5 + (first - _PelagicFoamKind.x) / 0.3) - _PelagicFoamAge[0];
-    second = saturate(0.5 + (second - _PelagicFoamKind.x) / 0.3) - _PelagicFoamAge[1];
+    float scale = 1.0 / (0.3 * spread), offset = 0.5 + torn * scale - _PelagicFoamKind.x / 0.3;
+    first = saturate(offset + first * scale) - _PelagicFoamAge[0];
+    second = saturate(offset + second * scale) - _PelagicFoamAge[1];
     float4 largest = max(first, second);
-    return max(saturate(0.5 + (present - _PelagicFoamKind.x) / 0.3), max(max(largest.x, largest.y), max(largest.z, largest.w)));
+    return max(saturate(offset + present * scale), max(max(largest.x, largest.y), max(largest.z, largest.w)));
 }
 
-float PelagicGathered(float amount, float rank, float soft) {
-    float low = min(amount, 1.0 - amount);
-    float inside = low < soft ? 2.0 * sqrt(soft * max(low, 0.0)) - soft : low;
-    float edge = amount < 0.5 ? 1.0 - inside : inside;
-    return saturate((rank - edge) / (2.0 * soft) + 0.5);
+float PelagicScoreOf(float fraction) {
+    float f = clamp(fraction, 1e-4, 0.9999);
+    float log_f = log(4.0 * f * (1.0 - f)), t = 4.3307 + 0.5 * log_f;
+    return sign(f - 0.5) * sqrt(max(2.0 * (sqrt(t * t - log_f / 0.147) - t), 0.0));
 }
 
-float PelagicGatheredInPixel(float amount, float rank, float soft, float pixel_m, float scale_m) {
-    float blur = pixel_m / scale_m;
-    return lerp(PelagicGathered(amount, rank, min(soft + 0.5 * blur, 0.5)), amount, smoothstep(0.4, 2.0, blur));
+float PelagicFractionBelow(float x) { return 1.0 / (1.0 + exp(-x * (1.5976 + 0.070566 * x * x))); }
+
+// Slopes of the lace, and its score. The lace is sampled at its middle scale.
+float3 PelagicLaceAt(float2 at, float pixel_m) {
+    float2 uv = at / pelagic_lace_m + _PelagicDetailPlace.zw;
+    uv = float2(3.0 * uv.x - 2.0 * uv.y, 2.0 * uv.x + 3.0 * uv.y);
+    float3 texel = _PelagicLace.SampleLevel(sampler_PelagicLace, uv, log2(max(pixel_m / pelagic_lace_m * 3.6055513 * 256.0, 1.0)) - 0.5).yzw;
+    texel = (texel * 255.0 - 128.0) / 127.0;
+    return float3(float2(3.0 * texel.x + 2.0 * texel.y, 3.0 * texel.y - 2.0 * texel.x) / 3.6055513, 3.2 * texel.z);
 }
 
 // Adds foam to the radiance of a pixel of water.
-float3 PelagicWithFoam(float3 radiance, float2 at, float amount, float pixel_m, float3 normal, float3 to_eye, float mirrors, float alpha_of_all) {
+float3 PelagicWithFoam(float3 radiance, float3 lace, float amount, float pixel_m, float3 normal, float3 to_eye, float mirrors, float alpha_of_all) {
     float height = max(_PelagicSun.y, 0.0);
     float3 light_down = _PelagicSunIrradiance.rgb * height + _PelagicSkyIrradiance.rgb;
     float3 scattering = _PelagicBackscattering.rgb + 0.15;  // of bubbles, 1/m
     float3 plume = light_down * (0.54 * 0.33 / pelagic_pi) * scattering / (_PelagicAbsorption.rgb + scattering);
-    radiance += plume * (0.6 * amount * (1.0 - mirrors));
+    radiance += plume * (0.2 * amount * (1.0 - mirrors));
     if (amount <= 0.0) return radiance;
 
-    // Fresh foam is 0.12 m high, so the view ray meets it at an offset towards the eye.
-    float freshness = smoothstep(0.4, 1.0, amount), dense = smoothstep(0.6, 0.8, amount);
-    float2 behind = to_eye.xz / max(to_eye.y, 0.3);
-    float2 uv = (at + behind * (0.12 * amount * freshness)) / pelagic_lace_m + _PelagicDetailPlace.zw;
-    float4 lace = _PelagicLace.SampleLevel(sampler_PelagicLace, uv, log2(max(pixel_m / pelagic_lace_m * 256.0, 1.0)) - 0.5);
-    lace.yz = (lace.yz * 255.0 - 128.0) / 127.0;
-    float cover = lerp(PelagicGatheredInPixel(amount, lace.x, lerp(0.25, 0.35, freshness), pixel_m, 0.5), amount, dense);
-    float thickness = freshness * (0.55 + 0.45 * lace.x) + (1.0 - freshness) * (0.05 + 0.35 * lace.x * amount);
-    float2 relief = lace.yz * (0.55 * (1.0 - smoothstep(0.02, 0.25, pixel_m)));
-    float hollow = (1.0 - lace.x) * 0.6;
+    float shown = saturate(1.0 - pixel_m / 0.6), score = 0.97 * sqrt(shown) * lace.z;
+    float margin = score + min(PelagicScoreOf(amount), 3.7), unseen = max(1.0 - 0.9409 * shown, 0.0144);
+    float cover = PelagicFractionBelow(margin * rsqrt(unseen)) * min(100.0 * amount, 1.0);
+    float thickness = min(PelagicFractionBelow((margin - 3.0) * rsqrt(unseen + 0.69)), cover) / max(cover, 1e-4);
+    float2 relief = (0.9 * shown) * lace.xy;
+    float hollow = lerp(0.35, saturate(-0.55 * lace.z), shown);
 
     float3 bumpy = normalize(normal - float3(relief.x, 0.0, relief.y) * thickness);
     float shadow = hollow * thickness;
     float facing = max((dot(bumpy, _PelagicSun.xyz) + 0.25) / 1.25, 0.0) * (1.0 - shadow * (1.0 - smoothstep(0.1, 0.9, height)));
-    float open = (0.5 + 0.5 * bumpy.y) * (1.0 - 0.35 * shadow);
-    float3 light = _PelagicSunIrradiance.rgb * facing + _PelagicSkyIrradiance.rgb * open;
-    float albedo = lerp(0.2, 0.7, thickness);
+    float open = 0.5 + 0.5 * bumpy.y;
+    float3 light = (_PelagicSunIrradiance.rgb * facing + _PelagicSkyIrradiance.rgb * open) * (1.0 - 0.6 * shadow);
+    float albedo = lerp(0.07, 0.74, thickness);
     float sheen = 0.5 * PelagicMeanFresnel(saturate(dot(bumpy, to_eye)), 0.35);
     float3 mirrored = _PelagicSkyIrradiance.rgb / pelagic_pi * sheen + _PelagicSunIrradiance.rgb * (0.5 * PelagicGlint(bumpy, to_eye, 0.1, alpha_of_all));
     float3 white = light * (albedo * (1.0 - sheen) / pelagic_pi) + mirrored;
@@ -395,8 +397,11 @@ float3 PelagicRadiance(PelagicVertex pixel, float3 eye) {
     float3 water_light = PelagicUpwelling(normal, to_eye, pixel.coarsest.xy) + PelagicThroughCrests(normal, to_eye, height, lip);
     float3 mirrored = PelagicMirroredLight(normal, to_eye, waves.alpha2, alpha_of_all, water_light);
     float3 radiance = lerp(water_light, mirrored, mirrors) + _PelagicSunIrradiance.rgb * PelagicGlint(normal, to_eye, waves.alpha2, alpha_of_all);
-    float foam = PelagicFoamCover(pixel.rest, waves.compression, footprint.wide_m);
-    return PelagicWithFoam(radiance, pixel.rest, foam, footprint.length_m, normal, to_eye, mirrors, alpha_of_all);
+    float3 lace = PelagicLaceAt(pixel.rest, footprint.length_m);
+    float shown = saturate(1.0 - footprint.length_m / 0.6);
+    float foam = PelagicFoamCover(pixel.rest + float2(0.12, 0.09) * lace.z, waves.compression, footprint.wide_m,
+                                  0.45 * 0.97 * sqrt(shown) * lace.z, sqrt(1.0 + 0.2025 * 0.9409 * shown));
+    return PelagicWithFoam(radiance, lace, foam, footprint.length_m, normal, to_eye, mirrors, alpha_of_all);
 }
 
 #endif
