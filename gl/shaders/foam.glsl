@@ -24,7 +24,7 @@ const float thick_margin = 3.0, largest_margin = 3.7;
 // Fine structure of weight 0.4 counts for 0.7 in the margin of thick foam: 0.7^2 - 0.4^2 of variance.
 const float fine_weight = 0.4, thick_fine_weight = 0.7, thick_variance = 0.33;
 // Thick part of the cover, if all ages are equally frequent.
-const float thick_in_mean = 0.12;
+const float thick_in_mean = 0.115;
 const float film_share = 0.2;
 
 struct Foam {
@@ -33,6 +33,7 @@ struct Foam {
     float plume;      // bubbles below the surface, 0 to 1
     vec2 slopes;      // slopes of the relief
     float hollow;     // 0 on top of the relief, 1 in its hollows
+    float grain;      // factor of the light by cells of bubbles; 1 in the mean
     float shade;      // sunlight that a breaking crest keeps away, 0 to 1
 };
 
@@ -129,14 +130,13 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     vec2 wind = waves.zw, across = vec2(-wind.y, wind.x);
     vec2 bend = wind * (0.22 * wide.w + 0.08 * middle.w) + across * (0.12 * middle.w - 0.12 * wide.w);
     vec2 steepening = gradient_of(surface.compression, pixel);
-    float present = surface.compression + clamp(dot(steepening, bend), -0.3, 0.3);
 #else
     vec2 bend = vec2(0.12, 0.09) * middle.w;
-    float present = surface.compression;
 #endif
     const float torn = 0.45;
     float spread = sqrt(1.0 + torn * torn * sheet.shown);
-    FoamOfWaves there = foam_of_snapshots(at + bend, distance_m, present, pixel.wide_m, torn * sheet.score, spread);
+    FoamOfWaves there = foam_of_snapshots(at + bend, distance_m, surface.compression, pixel.wide_m,
+                                          torn * sheet.score, spread);
 #ifdef SHORE
     there = with_foam_of_shore(there, bend);
 #endif
@@ -153,13 +153,14 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
 #else
     float film = 0.0;
 #endif
-    Foam foam = Foam(0.0, 0.0, amount, vec2(0.0), 0.0, 0.0);
+    Foam foam = Foam(0.0, 0.0, amount, vec2(0.0), 0.0, 1.0, 0.0);
 #if STREAKS
     // A breaking crest is a lip of foam above the water in front of it.
-    float lip_height_m = 0.25 * (1.0 - smoothstep(0.1, 0.4, pixel_m));
+    // Differences between narrower pixels are those of the texture's bytes.
+    float lip_height_m = 0.25 * smoothstep(0.015, 0.04, pixel_m) * (1.0 - smoothstep(0.1, 0.4, pixel_m));
     vec2 rise = steepening / (foam_ramp * spread);
     rise *= min(6.0 / max(length(rise), 1e-3), 1.0);
-    float lip = 0.5 + (present + torn * sheet.score - foam_kind.x * spread) / (foam_ramp * spread);
+    float lip = 0.5 + (surface.compression + torn * sheet.score - foam_kind.x * spread) / (foam_ramp * spread);
     float behind = dot(rise, sun.xz) / max(sun.y, 0.25);
     foam.shade = (1.0 - clamp(lip, 0.0, 1.0)) * clamp(lip + lip_height_m * max(behind, 0.5 * length(rise)), 0.0, 1.0);
     foam.slopes = rise * (lip_height_m * clamp(4.0 * lip * (1.0 - lip), 0.0, 1.0));
@@ -182,20 +183,24 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     float fine_shown = clamp(1.0 - pixel_m / 0.16, 0.0, 1.0);
     thick_score = (thick_fine_weight - fine_weight) * sqrt(fine_shown) * fine.w;
     thick_unseen -= thick_variance * fine_shown;
+    float grain = 0.8 * fine_shown * fine_shown * fine.w;
     hollow_score -= 0.8 * fine_shown * fine.w;
     // The last sample depends on the pixel size: bubbles near the eye, the widest windrows far away.
     if (pixel_m > 0.35) {
-        vec4 far = streaks_at(1, at, pixel_m);
-        far.w *= smoothstep(0.35, 1.5, pixel_m);
-        add_scale(rows, far, 0.45, pixel_m, 25.0, 0.0);
+        add_scale(rows, streaks_at(1, at, pixel_m), 0.45 * smoothstep(0.35, 1.5, pixel_m), pixel_m, 25.0, 0.0);
     } else if (pixel_m < 0.006) {
         vec4 bubbles = structure(bubbles_layer, at * noise_scale.x + foam_shift.xy, pixel_m * noise_scale.x);
         add_scale(sheet, bubbles, 0.2, pixel_m, 0.006, 0.8);
+        grain += 0.8 * clamp(1.0 - pixel_m / 0.006, 0.0, 1.0) * bubbles.w;
     }
+    foam.grain = 1.0 + 0.3 * clamp(grain, -2.0, 2.0);
 #endif
 
     float margin = sheet.score + min(score_of(amount), largest_margin);
     float unseen = max(1.0 - sheet.shown, edge_softness * edge_softness);
+#if SURFACE != OPEN
+    thick_score += 2.2;  // crests of small water are breaking now
+#endif
     float cover = fraction_below(margin * inversesqrt(unseen));
     float thick = fraction_below((margin + thick_score - thick_margin) * inversesqrt(unseen + thick_unseen));
     cover = mix(cover, amount, mean) * min(100.0 * amount, 1.0);
@@ -230,7 +235,7 @@ vec3 with_foam(vec3 radiance, Foam foam, vec3 normal, vec3 to_eye, float fresnel
     float height = max(sun.y, 0.0);
     vec3 light_down = sunlight() * height + sky_irradiance.rgb;
     vec3 plume = light_of_plume(light_down);
-    radiance = (radiance + plume * (0.2 * foam.plume * (1.0 - fresnel))) * (1.0 - 0.5 * foam.shade);
+    radiance = (radiance + plume * (0.15 * foam.plume * (1.0 - fresnel))) * (1.0 - 0.5 * foam.shade);
     if (foam.cover <= 0.0) return radiance;
 
     vec3 bumpy = normalize(normal - vec3(foam.slopes.x, 0.0, foam.slopes.y) * foam.thickness);
@@ -249,5 +254,5 @@ vec3 with_foam(vec3 radiance, Foam foam, vec3 normal, vec3 to_eye, float fresnel
     vec3 mirrored = sky_irradiance.rgb / pi * sheen + sunlight() * (0.5 * glint(bumpy, to_eye, 0.1));
     vec3 white = light * (albedo * (1.0 - sheen) / pi) + mirrored;
     vec3 below = plume * (1.0 - albedo) * (1.0 - albedo);
-    return mix(radiance, white + below, foam.cover);
+    return mix(radiance, (white + below) * foam.grain, foam.cover);
 }

@@ -98,8 +98,8 @@ vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, Foam fo
                     sunlight() * min(sun_through(normal, to_eye, alpha2), 3e3);
     vec3 diffuse = (sunlight_below() + skylight_below()) / pi;
     // Bubbles below the foam blur it, and colour its light along a path of a few metres.
-    float cover = mix(foam.cover, foam.plume, 0.5);
-    radiance = mix(radiance, (1.0 - foam_albedo(foam.thickness)) * diffuse, cover * mix(0.5, 0.95, foam.thickness));
-    radiance = mix(radiance, 0.5 * diffuse * exp(-3.0 * attenuation_of_water()), 0.7 * foam.plume);
+    float cover = 0.7 * mix(foam.cover, foam.plume, 0.75);
+    radiance = mix(radiance, (1.0 - foam_albedo(foam.thickness)) * diffuse, cover * mix(0.4, 0.95, foam.thickness));
+    radiance = mix(radiance, 0.8 * diffuse * exp(-3.0 * attenuation_of_water()), 0.5 * foam.plume);
     return through_water(radiance, eye[EYE].xyz, ray, distance_m);
 }

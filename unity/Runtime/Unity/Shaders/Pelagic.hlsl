@@ -359,7 +359,7 @@ float3 PelagicWithFoam(float3 radiance, float3 lace, float amount, float pixel_m
     float3 light_down = _PelagicSunIrradiance.rgb * height + _PelagicSkyIrradiance.rgb;
     float3 scattering = _PelagicBackscattering.rgb + 0.15;  // of bubbles, 1/m
     float3 plume = light_down * (0.54 * 0.33 / pelagic_pi) * scattering / (_PelagicAbsorption.rgb + scattering);
-    radiance += plume * (0.2 * amount * (1.0 - mirrors));
+    radiance += plume * (0.15 * amount * (1.0 - mirrors));
     if (amount <= 0.0) return radiance;
 
     float shown = saturate(1.0 - pixel_m / 0.6), score = 0.97 * sqrt(shown) * lace.z;
