@@ -52,7 +52,7 @@ void main() {
     vec3 along = drawn > 1e-4 ? streak / drawn : normalize(cross(ray, vec3(0.31, 0.90, 0.29)));
     vec3 across = cross(ray, along);
 
-    float stands_for = gale * mist * (0.5 + min(distance_m / 150.0, 0.8));
+    float stands_for = gale * mist * (0.35 + min(distance_m / 130.0, 0.95));
     float ball = place.w * (1.0 + stands_for);
     // A card is at least a pixel wide and a path long, and as much of the image as the droplet.
     float wide = max(ball, 0.75 * distance_m * floor_look.z);

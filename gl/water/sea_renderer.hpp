@@ -75,9 +75,9 @@ enum class DrawMode {
     surface_data
 };
 
-/// Options of spray for images: plumes on crests up to 150 m away. `amount` is the least that fills
-/// Frame::droplets in a gale.
-inline constexpr SprayOptions drawn_spray{.reach_m = 160, .amount = 2};
+/// Options of spray for images: plumes on crests up to 150 m away. `amount` makes up for some of the
+/// larger cells; with more, drawing takes longer than with the default options.
+inline constexpr SprayOptions drawn_spray{.reach_m = 160, .amount = 1.5};
 
 /// Spray that is drawn over sea and sky. Droplets are hidden by the framebuffer's depths and write
 /// none, so other transparent objects may be drawn before or after them. Nothing is drawn for a lens

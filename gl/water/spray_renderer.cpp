@@ -104,7 +104,8 @@ SprayRenderer::Sprites& SprayRenderer::sprites(bool soft) {
 void SprayRenderer::upload(std::span<const SprayDroplet> droplets, double time_s, double wind_mps,
                            const glm::dvec3& viewer_m) {
     constexpr double calm_mps = 12, gale_mps = 20.8;  // Beaufort 6 and 9
-    gale_ = static_cast<float>(std::clamp((wind_mps - calm_mps) / (gale_mps - calm_mps), 0., 1.));
+    const double rough = std::clamp((wind_mps - calm_mps) / (gale_mps - calm_mps), 0., 1.);
+    gale_ = static_cast<float>(rough * rough);
     constexpr float least_opacity = 0.004f;  // a step of a screen
     // Smaller drops are less than a tenth of a pixel there.
     constexpr float drop_m = 0.05f, drops_end_m = 60;
