@@ -200,6 +200,57 @@ TEST(RenderCommand, DrawsAHullWhereItFloats) {
     }
 }
 
+// A planing boat in a calm, from 30 m above: its jets leave the sides of the bow, and water closes
+// behind its stern. White water reflects ten times as much as the sea, which is 30 of 255 brighter even
+// if a tenth of it is white. Nothing changes abeam of the stern.
+TEST(RenderCommand, AHullAtEightMetresPerSecondThrowsSprayAndLeavesFoam) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> boat = {"--hull", in_sources("examples/boat/boat.obj"), "--mass", "4400",
+                                           "--hull-thrust", "26000", "--resolution", "32", "--wind-speed", "3"};
+    std::vector<std::string> query = boat;
+    query.insert(query.begin(), {"query", "--json"});
+    const Outcome queried = run_pelagic(query);
+    ASSERT_EQ(queried.exit_code, 0) << queried.err;
+    const nlohmann::json hull = nlohmann::json::parse(queried.out)[0];
+    const auto at = [&](const char* name) { return hull[name].get<double>(); };
+    EXPECT_NEAR(std::hypot(at("vx"), at("vz")), 8, 0.5);
+    constexpr int width = 192, height = 108;
+    constexpr double above_m = 30;
+    const auto image = [&](const std::string& spray) {
+        std::vector<std::string> render = boat;
+        const std::string place = std::to_string(at("x")) + "," + std::to_string(above_m) + ",";
+        render.insert(render.begin(), {"render", "--size", "192x108", "--quality", "low", "--shading", "medium",
+                                       "--clouds", "0", "--exposure", "14", "--spray", spray, "--camera",
+                                       place + std::to_string(at("z") + 0.01), "--target",
+                                       std::to_string(at("x")) + ",0," + std::to_string(at("z")), "--out",
+                                       (folder / (spray + ".png")).string()});
+        const Outcome run = run_pelagic(render);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return read_pixels(folder / (spray + ".png"));
+    };
+    const OIIO::ImageBuf with = image("on"), without = image("off");
+    // Returns the mean change of green in a rectangle of 6 x 2 m.
+    const auto change = [&](double ahead_m, double beside_m) {
+        const double heading = at("heading") * std::numbers::pi / 180;
+        double sum = 0;
+        int count = 0;
+        for (double along = ahead_m - 3; along <= ahead_m + 3; along += 0.5)
+            for (double across = beside_m - 1; across <= beside_m + 1; across += 0.5, ++count) {
+                const double x = along * std::cos(heading) - across * std::sin(heading),
+                             z = along * std::sin(heading) + across * std::cos(heading);
+                const double pixels_per_m = 0.5 * height / std::tan(std::numbers::pi / 6) / above_m;
+                const auto column = static_cast<int>(0.5 * width + x * pixels_per_m),
+                           row = static_cast<int>(0.5 * height + z * pixels_per_m);
+                sum += 255 * (with.getchannel(column, row, 0, 1) - without.getchannel(column, row, 0, 1));
+            }
+        return sum / count;
+    };
+    EXPECT_GT(change(-8, 0), 30) << "behind the stern";
+    EXPECT_GT(change(4, 2.5), 30) << "starboard of the bow";
+    EXPECT_GT(change(4, -2.5), 30) << "port of the bow";
+    EXPECT_NEAR(change(-5, 10), 0, 2) << "undisturbed";
+}
+
 TEST(RenderCommand, PrintsStatisticsAndNumbersItsImages) {
     const TemporaryFolder folder;
     const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low",

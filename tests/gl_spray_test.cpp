@@ -244,7 +244,6 @@ TEST(GlSpray, SpindriftShortensTheVisibilityNearTheSurfaceFromBeaufort9On) {
     const auto visibility_m = [](std::string_view preset, double height_m) {
         GlScene scene({.preset = preset,
                        .quality = "low",
-                       .resolution = 16,
                        .width = 16,
                        .height = 16,
                        .samples = 0,
@@ -264,7 +263,7 @@ TEST(GlSpray, SpindriftShortensTheVisibilityNearTheSurfaceFromBeaufort9On) {
             x[static_cast<std::size_t>(std::min_element(water_m.begin(), water_m.end()) - water_m.begin())];
         constexpr double distance_m = 3;
         const Camera camera{.position_m = {lowest_x_m, height_m, 0}, .target_m = {lowest_x_m + 1, height_m, 0}};
-        const SprayDroplet droplet = droplet_at(ahead_of(camera, distance_m), 40, 1);
+        const SprayDroplet droplet = droplet_at(ahead_of(camera, distance_m), 400, 1);
         scene.spray.droplets = {&droplet, 1};
         scene.draw(camera, frame, false);
         const double seen = static_cast<double>(scene.target->read_radiance()[(8 * 16 + 8) * 4 + 1]);

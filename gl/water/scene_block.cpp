@@ -52,9 +52,9 @@ glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
 
 /// Returns the extinction of the finest spindrift at the surface. It may affect the visibility from
 /// Beaufort 9 on and does so seriously at 12 (WMO 2018, "Manual on Marine Meteorological Services"). The
-/// amount, 1 km at 34 m/s, is chosen by eye.
+/// amount, a visibility of 0.8 km at 34 m/s, is chosen by eye.
 double spindrift_per_m(const SeaFacts& facts) {
-    constexpr double first_wind_mps = 20.8, per_wind = 0.0025 / 8;
+    constexpr double first_wind_mps = 20.8, per_wind = 0.003 / 8;
     return facts.surface == Surface::open ? per_wind * std::max(facts.sea.wind_speed_mps - first_wind_mps, 0.) : 0;
 }
 
