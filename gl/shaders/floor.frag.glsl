@@ -23,7 +23,7 @@ const float pi = 3.14159265;
 #include "haze.glsl"
 
 void main() {
-    sunlit = sunlit_vertex;
+    sunlit = clamp(sunlit_vertex, 0.0, 1.0);
     vec3 from_eye = leading_ahead(place.xyz - eye[EYE].xyz);
     float distance_m = length(from_eye);
 #ifdef SURFACE_DATA

@@ -99,9 +99,10 @@ void main() {
 #ifdef SKIRT
     vec3 at = place_on_skirt();
     vec2 resting = at.xz;
-    sunlit = sunlit_at(resting, footprint_of(resting).wide_m);
+    sunlit = clamp(sunlit_at(resting, footprint_of(resting).wide_m), 0.0, 1.0);
 #else
-    sunlit = sunlit_vertex;
+    // Beyond the edges of triangles, where samples of a pixel may lie, it is extrapolated.
+    sunlit = clamp(sunlit_vertex, 0.0, 1.0);
 #if VERTEX_CASCADES > 0
     long_wave_normal = normalize(vec3(-coarsest.x, 1.0, -coarsest.y));
 #elif SURFACE == OPEN
