@@ -49,6 +49,6 @@ vec3 through_crests(vec3 normal, vec3 to_eye, float height, float lip) {
     float depth = max(0.31 * waves.x - height, 0.0);
     vec3 k = attenuation_of_water();
     vec3 path = min(0.6 + 0.7 * waves.x * k, 1.0) / k;
-    return away * (water_backscattering.rgb * path * exp(k * (depth * crest_ray.w)) + 2.4 * lip * exp(-1.5 * k)) *
+    return away * (water_backscattering.rgb * path * exp(k * (depth * crest_ray.w)) + 2.7 * lip * exp(-1.5 * k)) *
            (scattered * sunlit * crest_sun.rgb + crest_sky.rgb);
 }

@@ -310,7 +310,7 @@ float3 PelagicThroughCrests(float3 normal, float3 to_eye, float height, float li
     float depth = max(0.31 * _PelagicWaves.x - height, 0.0);
     float3 k = PelagicAttenuation();
     float3 path = min(0.6 + 0.7 * _PelagicWaves.x * k, 1.0) / k;
-    return away * (_PelagicBackscattering.rgb * path * exp(k * (depth * _PelagicCrestRay.w)) + 2.4 * lip * exp(-1.5 * k)) * (scattered * _PelagicCrestSun.rgb + _PelagicCrestSky.rgb);
+    return away * (_PelagicBackscattering.rgb * path * exp(k * (depth * _PelagicCrestRay.w)) + 2.7 * lip * exp(-1.5 * k)) * (scattered * _PelagicCrestSun.rgb + _PelagicCrestSky.rgb);
 }
 
 // ---- Foam: snapshot_foam.glsl, foam.glsl -------------------------------------------------------
