@@ -84,8 +84,9 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     const double loop = fraction(facts.time_s / sea.loop_period_s);
     glm::dvec2 shifts[2], noise[2];
     for (int layer = 0; layer < 2; ++layer) {
+        // The finer layer ends at the shortest ripple, and the other does not end below it.
         const double fine_m = DetailImage::shortest_ripple * shortest_ripple_m;
-        const double tile_m = layer == 0 ? std::max(detail_texels * texel_m, std::sqrt(golden) * fine_m) : fine_m;
+        const double tile_m = layer == 0 ? std::max(detail_texels * texel_m, fine_m) : fine_m;
         const double angle = sea.wind_direction_rad + layer_turns_rad[layer];
         // Ripples travel with the speed of deep-water waves of a tenth of the period. They cover a
         // whole number of periods in a loop.

@@ -9,8 +9,8 @@ namespace Pelagic
     public static class DetailTextures
     {
         public const int Side = 256, Levels = 9;
-        /// <summary>Least period of ripples, metres: the shortest wave is close to 17 mm, the slowest.</summary>
-        public const double RipplesM = 0.519;
+        /// <summary>Least period of ripples, metres: the shortest wave is then 17 mm, the slowest.</summary>
+        public const double RipplesM = 0.408;
 
         /// <summary>
         /// Ripples: slopes along x and z as (byte / 255) 2 - 1, with standard deviation 1/4 at level 0; 0; the
