@@ -25,7 +25,7 @@ const float thick_margin = 3.0, largest_margin = 3.7;
 const float fine_weight = 0.4, thick_fine_weight = 0.7, thick_variance = 0.33;
 // Thick part of the cover, if all ages are equally frequent.
 const float thick_in_mean = 0.115;
-const float film_share = 0.2;
+const float film_share = 0.28;
 
 struct Foam {
     float cover;      // covered fraction of the pixel
@@ -143,9 +143,10 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
 #ifdef DYNAMIC_WAVES
     there = with_foam_of(there, surface.crests, log2(max(pixel.wide_m * dynamic_waves_place.w, 1e-3)), 1.0);
 #endif
-    float amount = there.cover, thickest = there.thick, mean = there.mean;
+    float amount = there.cover, thickest = min(there.thick, 1.0), mean = there.mean;
+    float surf = clamp(there.thick - 1.0, 0.0, 1.0);  // is thick wherever it covers the water
 #else
-    float amount = surface.crests, thickest = 1.0, mean = 0.0;
+    float amount = surface.crests, thickest = 1.0, mean = 0.0, surf = 1.0;
 #endif
     // In a gale windrows gather films of old bubbles, which outlast the foam of the snapshots.
 #if STREAKS
@@ -171,9 +172,9 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     // Windrows gather old foam too, and begin and end softly, because lace joins them in one sum.
     vec4 streaks = streaks_at(0, at, pixel_m);
     float along = 0.3 * foam_kind.w;
-    Sheet rows = Sheet(0.5 * sheet.score, 0.25 * sheet.shown, vec2(0.0));
+    Sheet rows = Sheet(0.4 * sheet.score, 0.16 * sheet.shown, vec2(0.0));
     add_scale(sheet, streaks, along, pixel_m, 4.0, 0.0);
-    add_scale(rows, streaks, 0.65, pixel_m, 4.0, 0.0);
+    add_scale(rows, streaks, 0.8, pixel_m, 4.0, 0.0);
 #endif
     float thick_score = 0.0, thick_unseen = thick_variance + thick_softness * thick_softness;
     float hollow_score = -0.5 * middle.w, hollow_shown = clamp(1.0 - pixel_m / middle_limit_m, 0.0, 1.0);
@@ -198,13 +199,11 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
 
     float margin = sheet.score + min(score_of(amount), largest_margin);
     float unseen = max(1.0 - sheet.shown, edge_softness * edge_softness);
-#if SURFACE != OPEN
-    thick_score += 2.2;  // crests of small water are breaking now
-#endif
+    thick_score += 2.2 * surf;
     float cover = fraction_below(margin * inversesqrt(unseen));
     float thick = fraction_below((margin + thick_score - thick_margin) * inversesqrt(unseen + thick_unseen));
     cover = mix(cover, amount, mean) * min(100.0 * amount, 1.0);
-    thick = thickest * min(mix(thick, amount * thick_in_mean, mean), cover);
+    thick = thickest * min(mix(thick, amount * mix(thick_in_mean, 0.6, surf), mean), cover);
 #if STREAKS
     if (film > 0.0) {
         float gathered = fraction_below((rows.score + score_of(film)) * inversesqrt(max(1.0 - rows.shown, 0.1)));

@@ -15,7 +15,7 @@ const float narrowest_foam_m = 0.2;
 struct FoamOfWaves {
     float cover;  // covered fraction
     float mean;   // 0: value at a point; 1: mean over whitecaps of any age and the water between
-    float thick;  // thickness of breaking foam: 1 for plunging waves, less for small spilling ones
+    float thick;  // thickness of breaking foam: 1 for plunging waves, less for small ones, 2 for surf
 };
 
 const FoamOfWaves no_foam = FoamOfWaves(0.0, 0.0, 1.0);
@@ -143,6 +143,6 @@ FoamOfWaves with_foam_of_shore(FoamOfWaves all, vec2 ragged) {
 #endif
     float most = max(all.cover, foam);
     float ours = smoothstep(0.3, 0.7, foam / max(all.cover + foam, 1e-4));
-    return FoamOfWaves(most, mix(all.mean, smoothstep(1.0, 4.0, shore.mip), ours), mix(all.thick, 1.0, ours));
+    return FoamOfWaves(most, mix(all.mean, smoothstep(1.0, 4.0, shore.mip), ours), mix(all.thick, 2.0, ours));
 }
 #endif
