@@ -300,7 +300,12 @@ class FlatScene : public GlScene {
                    .samples = 1,
                    .writes = gl::PixelKind::radiance,
                    .foam = true}),
-          zeros_(ocean.frame_at(3).cascades[0].displacement_rgba16f.size()) {}
+          zeros_(ocean.frame_at(3).cascades[0].displacement_rgba16f.size()) {
+        // Sunlight in the water is that of the slopes of long waves, which dynamic waves are not.
+        gl::Sky sky = test_sky();
+        sky.sun_irradiance = {};
+        renderer->set_sky(sky);
+    }
 
     static constexpr int pixels = 32;
     static constexpr double side_m = 1.6;  // within the grid of 3.2 m
