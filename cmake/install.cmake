@@ -79,7 +79,7 @@ set(floating_headers floating_bodies given_coefficients hull hull_matrix hull_me
                      wamit_files wave_forces)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
 set(gl_headers application_scene display errors exposure functions headless_context light_meter objects pixel_ring render_target views
-               sky/light_presets sky/sky sky/sky_baker
+               sky/cloud_shadows sky/light_presets sky/sky sky/sky_baker
                water/camera_water_plane water/caustics water/exclusions water/frame_textures water/sea_floor water/sea_pass water/sea_renderer water/shading water/small_water
                water/water_optics)
 set(folders message analytic jobs simd sim)
