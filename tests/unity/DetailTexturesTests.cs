@@ -37,9 +37,10 @@ public static class DetailTexturesTests
                 Check.True(Math.Abs(ranks.Count(rank => rank / 255.0 > threshold) / (double)ranks.Length - (1 - threshold)) < 0.005 + 1.0 / ranks.Length,
                            $"fraction above {threshold} of level {level}");
         }
-        // Threads, not noise: neighbours have similar ranks. Independent ranks differ by 1/3 on average.
+        // Structure, not noise: neighbours have similar ranks. Independent ranks differ by 1/3 on average; a decade
+        // of sizes, of equal share each, ends at a few texels, so that ranks differ by more than those of cells did.
         var first = levels[0].Where((value, i) => i % 4 == 0).ToArray();
         var apart = Enumerable.Range(0, first.Length - 1).Average(i => Math.Abs(first[i] - first[i + 1]) / 255.0);
-        Check.True(apart < 0.08, $"neighbours differ by {apart}");
+        Check.True(apart < 0.1, $"neighbours differ by {apart}");
     }
 }
