@@ -94,15 +94,16 @@ TEST(SceneBlock, MovesTheFoamStructureWithTheFoam) {
     };
     const SeaStatistics statistics = ocean.frame_at(0).statistics;
     const double loop_s = ocean.sea().loop_period_s;
-    const glm::vec4 first = shift_at(0), then = shift_at(1), after_a_loop = shift_at(loop_s);
+    constexpr double step_s = 0.2;  // less than half of a square of bubbles, 0.14 m
+    const glm::vec4 first = shift_at(0), then = shift_at(step_s), after_a_loop = shift_at(loop_s);
     const double sides_m[] = {gl::FoamSizes::bubbles_m, gl::FoamSizes::bubbles_m, gl::FoamSizes::lace_m,
                               gl::FoamSizes::lace_m};
     for (int i = 0; i < 4; ++i) {
         const double drift_mps = i % 2 == 0 ? statistics.foam_drift_x_mps : statistics.foam_drift_z_mps;
         const double turned = static_cast<double>(first[i]) - static_cast<double>(then[i]);
-        const double moved_m = (turned - std::round(turned)) * sides_m[i];
+        const double moved_mps = (turned - std::round(turned)) * sides_m[i] / step_s;
         EXPECT_GT(drift_mps, 0.1);
-        EXPECT_NEAR(moved_m, drift_mps, 0.5 * sides_m[i] / loop_s + 1e-5) << i;
+        EXPECT_NEAR(moved_mps, drift_mps, 0.5 * sides_m[i] / loop_s + 1e-5) << i;
         EXPECT_EQ(first[i], after_a_loop[i]) << i;
     }
 }
