@@ -88,6 +88,33 @@ TEST_F(GlCloudShadow, MovesWithTheWind) {
     EXPECT_EQ(scene_.renderer->sunlit_at({moved - 200, 0}), 0);
 }
 
+// Light that water scatters comes from near the viewer, so all pixels have that of a sky without a map, if
+// the viewer is in sunlight, also where surface, floor and background behind the water are in shadow.
+TEST(GlCloudShadowUnderWater, WaterIsLitAsTheSeaAtTheViewer) {
+    GlScene scene({.quality = "low",
+                   .resolution = 64,
+                   .width = shadow_pixels,
+                   .height = shadow_pixels,
+                   .samples = 0,
+                   .writes = gl::PixelKind::radiance,
+                   .wind_speed_mps = 8,
+                   .lens_may_dip = true});
+    const auto towards_shadow = [&](const gl::Sky& sky) {
+        scene.renderer->set_sky(sky);
+        scene.draw({.position_m = {200, -20, 0}, .target_m = {0, -70, 0}, .vertical_view_rad = 1.047}, 0);
+        return scene.target->read_radiance();
+    };
+    gl::Sky sky = half_shaded_sky();
+    const std::vector<float> shaded = towards_shadow(sky);
+    sky.cloud_shadows.texels.clear();
+    sky.brightest_transmittance = 0;
+    const std::vector<float> sunny = towards_shadow(sky);
+    for (std::size_t i = 1; i < sunny.size(); i += 4) {
+        ASSERT_GT(sunny[i], 0);
+        ASSERT_NEAR(shaded[i] / sunny[i], 1, 0.01) << "pixel " << i / 4;
+    }
+}
+
 // The disc is as bright as the clouds in front of it let through, relative to the brightest place.
 TEST_F(GlCloudShadow, DiscLiesBehindClouds) {
     gl::Sky sky = half_shaded_sky();

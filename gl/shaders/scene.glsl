@@ -175,7 +175,7 @@ layout(std140) uniform Scene {
     // xy: the viewer's position in the clouds' shadows; z: 1 / period; w: 1 if there are shadows
     highp vec4 cloud_place;
     // x: mean sunlight on the sea over sun_irradiance; y: 1 / transmittance of the clouds for
-    // sun_irradiance, 0 if they do not hide the sun
+    // sun_irradiance, 0 if they do not hide the sun; z: sunlight at the viewer over sun_irradiance
     highp vec4 cloud_light;
 #ifdef EXCLUSIONS
     // axes of the boxes around the interiors of hulls: a position (x, y, z, 1) times the three of a

@@ -10,9 +10,6 @@ precision highp int;
 #include "stars.glsl"
 
 in vec3 ray;
-#if BELOW
-flat in float sunlit_eye;
-#endif
 out vec4 colour;
 
 const float pi = 3.14159265;
@@ -44,7 +41,6 @@ float moon_shading(vec3 from_centre) {
 void main() {
     vec3 direction = normalize(ray);
 #if BELOW
-    sunlit = sunlit_eye;
     float above = lens_above_water(ray);
     if (above < 0.0) {
         // Rays that lead upwards hit the surface, except for rays that just miss it.

@@ -7,18 +7,11 @@ precision highp float;
 #include "scene.glsl"
 
 out vec3 ray;  // from the eye, any length
-#if BELOW
-#include "clouds.glsl"
-flat out float sunlit_eye;
-#endif
 
 void main() {
     vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
     // A point on the ray, in homogeneous coordinates, because w may have any value.
     vec4 point = viewer_from_clip[EYE] * vec4(corner, 0.0, 1.0);
     ray = point.xyz - eye[EYE].xyz * point.w;
-#if BELOW
-    sunlit_eye = sunlit_at(eye[EYE].xz, 0.0);
-#endif
     gl_Position = vec4(corner, 1.0, 1.0);
 }

@@ -17,11 +17,12 @@ vec3 sun_in_water() {
     return vec3(across.x, sqrt(1.0 - dot(across, across)), across.y);
 }
 
-// Sunlight that enters a plane, which may be the side of a long wave.
-vec3 sunlight_into(vec3 normal) {
+// Returns the fraction of the sun's irradiance that enters a plane, which may be the side of a long wave.
+float enters(vec3 normal) {
     float high = max(dot(normal, sun.xyz), 0.0);
-    return sunlight() * high * (1.0 - mean_fresnel(high, 0.15));
+    return high * (1.0 - mean_fresnel(high, 0.15));
 }
+vec3 sunlight_into(vec3 normal) { return sunlight() * enters(normal); }
 
 // Irradiance just below the surface, on a level plane.
 vec3 sunlight_below() { return sunlight_into(vec3(0.0, 1.0, 0.0)); }
@@ -34,13 +35,16 @@ float henyey_greenstein(float cosine, float g) {
 // Returns the light that water scatters towards an eye `depth` metres below the surface, along
 // `path` metres of a ray. The integral of exp(-k s) exp(-k (depth - s ray.y)) over the ray has a
 // closed form. `shafts` is the mean sunlight along the ray, relative to sunlight without caustics.
+// What is seen is near, so all of it is lit as the sea at the viewer: surface, floor and background meet
+// without a line.
 vec3 scattered_light(vec3 ray, float depth, float path, float shafts) {
     const float lobe = 0.48, amount = 9.5;
     vec3 k = attenuation_of_water();
     vec3 x = max(k * (path * (1.0 - min(ray.y, 1.0))), 1e-3);
     vec3 seen = path * (1.0 - exp(-x)) / x;
     vec3 to_sun = sun_in_water();
-    vec3 from_sun = sunlight_below() / to_sun.y * exp(-k * depth / to_sun.y);
+    float entering = cloud_light.z * enters(vec3(0.0, 1.0, 0.0)) / to_sun.y;
+    vec3 from_sun = entering * sun_irradiance.rgb * exp(-k * depth / to_sun.y);
     vec3 from_sky = skylight_below() * exp(-k * depth);
     return amount * water_backscattering.rgb * seen *
            (from_sun * (shafts * henyey_greenstein(dot(ray, to_sun), lobe)) +

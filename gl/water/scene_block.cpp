@@ -145,7 +145,7 @@ void place_clouds(SceneBlock& block, const SeaFacts& facts, const SkyLight& sky,
     if (transmittance <= 0) return;
     const glm::dvec2 place = (viewer - cloud_drift(facts.sea, facts.time_s)) / CloudShadows::period_m + 0.5;
     block.cloud_place = {fraction(place.x), fraction(place.y), 1 / CloudShadows::period_m, 1};
-    block.cloud_light = {sky.mean_sunlight, 1 / transmittance, 0, 0};
+    block.cloud_light = {sky.mean_sunlight, 1 / transmittance, 1, 0};
 }
 
 /// Drift of the foam structure, which moves with the foam. Along each of two directions it covers a
@@ -322,7 +322,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);
-    place_clouds(block, facts, sky, viewer);
+    place_clouds(block, facts, sky, facts.unshifted(viewer_m));
     place_foam(block, facts, in_water);
     if (facts.surface != Surface::open) place_small_water(block, facts, in_water, facts.unshifted(viewer_m));
     if (facts.shore.columns > 0) place_shore(block, facts.shore, facts.shore_has_mips, facts.unshifted(viewer_m));

@@ -59,7 +59,7 @@ struct SceneBlock {
     glm::vec4 shore_place{}, shore_size{};
     glm::vec4 dynamic_waves_place{}, dynamic_waves_extent{};
     glm::vec4 glint_place{};
-    glm::vec4 cloud_place{}, cloud_light{1, 0, 0, 0};
+    glm::vec4 cloud_place{}, cloud_light{1, 0, 1, 0};
     // Only programs with EXCLUSIONS have these members.
     std::array<glm::vec4, 3 * max_exclusions> exclusion_box{};
     std::array<glm::vec4, max_exclusions> exclusion_map{};

@@ -442,6 +442,7 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
 
     s.facts.flow = s.flow_extent;
     SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
+    block.cloud_light.z = sunlit_at({input.viewer().x, input.viewer().z});
     place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
     place_exclusions(block, input, s.exclusion_maps);
     const std::array<glm::vec4, 2> lenses = s.lenses_of(input, block.lens);
@@ -495,7 +496,8 @@ const DrawStatistics& SeaRenderer::draw(const DrawInput& input) {
 }
 
 float SeaRenderer::sunlit_at(const glm::dvec2& world_m) const {
-    return state_->shadows.at(world_m - cloud_drift(state_->facts.sea, state_->facts.time_s));
+    const SeaFacts& facts = state_->facts;
+    return state_->shadows.at(facts.unshifted({world_m.x, 0, world_m.y}) - cloud_drift(facts.sea, facts.time_s));
 }
 
 const FrameTextures& SeaRenderer::textures() const { return state_->textures; }
