@@ -46,7 +46,7 @@ pelagic_arm64_packages=(libc++-14-dev libc++abi-14-dev)
 pelagic_windows_packages=(g++-mingw-w64-x86-64-posix wine64)
 pelagic_web_packages=(emscripten)
 command -v node >/dev/null || pelagic_web_packages+=(nodejs)
-pelagic_platform_packages=("${pelagic_arm64_packages[@]}" "${pelagic_windows_packages[@]}" "${pelagic_web_packages[@]}" chromium)
+pelagic_platform_packages=("${pelagic_arm64_packages[@]}" "${pelagic_windows_packages[@]}" "${pelagic_web_packages[@]}" chromium openssl)
 command -v npm >/dev/null || pelagic_platform_packages+=(npm)
 
 # Packages for nightly tests: a game engine, with a window (for xvfb-run, which needs xauth) and

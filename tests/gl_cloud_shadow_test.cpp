@@ -88,6 +88,17 @@ TEST_F(GlCloudShadow, MovesWithTheWind) {
     EXPECT_EQ(scene_.renderer->sunlit_at({moved - 200, 0}), 0);
 }
 
+// A shift of the world's origin by 3 km moves the edge of the shadow with the water.
+TEST_F(GlCloudShadow, KeepsItsPlaceWhenTheOriginShifts) {
+    scene_.renderer->set_sky(half_shaded_sky());
+    scene_.ocean.set_origin(3000, -1e6);
+    const auto [west, east] = west_and_east(-3000, 0);
+    EXPECT_GT(east, 0);
+    EXPECT_LT(west, 1e-3 * east);
+    EXPECT_EQ(scene_.renderer->sunlit_at({-3200, 0}), 0);
+    EXPECT_EQ(scene_.renderer->sunlit_at({-2800, 0}), 1);
+}
+
 // Light that water scatters comes from near the viewer, so all pixels have that of a sky without a map, if
 // the viewer is in sunlight, also where surface, floor and background behind the water are in shadow.
 TEST(GlCloudShadowUnderWater, WaterIsLitAsTheSeaAtTheViewer) {

@@ -347,8 +347,8 @@ TEST(GlSpray, StandsOnAQuarterOfTheBreakingCrestsAtBeaufort10) {
     const Frame& frame = scene.ocean.frame_at(time_s);
     std::vector<float> height_m;
     Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 6, 60}};
-    const double view_rad = 2 * std::atan(std::tan(camera.vertical_view_rad / 2) * width / height);
-    const std::vector<Crest> crests = breaking_crests(frame, camera, 0.95 * view_rad, height_m);
+    const double horizontal_rad = 2 * std::atan(std::tan(camera.vertical_view_rad / 2) * width / height);
+    const std::vector<Crest> crests = breaking_crests(frame, camera, 0.95 * horizontal_rad, height_m);
     const auto water_m = [&](double x_m, double z_m) {
         const int column = static_cast<int>(std::floor(x_m)) + 150, row = static_cast<int>(std::floor(z_m)) + 150;
         return static_cast<double>(height_m[static_cast<std::size_t>(row * 300 + column)]);

@@ -37,6 +37,23 @@ gl::SeaFloor tide_beach(glm::dvec2 corner_m, float level_m) {
     return floor;
 }
 
+/// Checks that an image is the expected one, and that one from another place is not. Floats round
+/// differently by the viewer's position, which moves edges of crests; a double of 1e7 m has steps of
+/// 2e-9 m, which a matrix multiplies.
+void expect_equal(const std::vector<std::uint8_t>& found, const std::vector<std::uint8_t>& expected,
+                  const std::vector<std::uint8_t>& elsewhere, double above_m) {
+    const auto different = [&](const std::vector<std::uint8_t>& image) {
+        std::size_t pixels = 0;
+        for (std::size_t i = 0; i < image.size(); i += 4)
+            pixels += std::abs(image[i] - expected[i]) > 2 || std::abs(image[i + 2] - expected[i + 2]) > 2;
+        return 4 * static_cast<double>(pixels) / static_cast<double>(image.size());
+    };
+    std::printf("%g m above: %.5f of the pixels differ, elsewhere %.3f\n", above_m, different(found),
+                different(elsewhere));
+    EXPECT_LT(different(found), 0.002);
+    EXPECT_GT(different(elsewhere), 0.1);
+}
+
 // The drift of 1024 m is a step of the grid and a multiple of the period of the sand, so the meshes
 // of both images are equal. The floor stays in the world, so it is moved for the second image.
 TEST(GlWaterFrame, ImageIsThatOfACameraInTheWatersFrame) {
@@ -60,17 +77,7 @@ TEST(GlWaterFrame, ImageIsThatOfACameraInTheWatersFrame) {
         scene.renderer->set_floor(tide_beach(corner + drift, 3));
         const std::vector<std::uint8_t> found = scene.image(in_world, time_s);
         const std::vector<std::uint8_t> elsewhere = scene.image(in_water, time_s);
-        const auto different = [&](const std::vector<std::uint8_t>& image) {
-            std::size_t pixels = 0;
-            for (std::size_t i = 0; i < image.size(); i += 4)
-                pixels += std::abs(image[i] - expected[i]) > 2 || std::abs(image[i + 2] - expected[i + 2]) > 2;
-            return 4 * static_cast<double>(pixels) / static_cast<double>(image.size());
-        };
-        std::printf("%g m above: %.5f of the pixels differ, elsewhere %.3f\n", above_m, different(found),
-                    different(elsewhere));
-        // Floats round differently by the viewer's position, which moves edges of crests.
-        EXPECT_LT(different(found), 0.002);
-        EXPECT_GT(different(elsewhere), 0.1);
+        expect_equal(found, expected, elsewhere, above_m);
     }
 }
 
@@ -95,17 +102,7 @@ TEST(GlWaterFrame, ImageIsThatBeforeAShiftOfTheOrigin) {
         scene.ocean.set_origin(origin.x, origin.z);
         const std::vector<std::uint8_t> found = scene.image(after, time_s);
         const std::vector<std::uint8_t> elsewhere = scene.image(before, time_s);
-        const auto different = [&](const std::vector<std::uint8_t>& image) {
-            std::size_t pixels = 0;
-            for (std::size_t i = 0; i < image.size(); i += 4)
-                pixels += std::abs(image[i] - expected[i]) > 2 || std::abs(image[i + 2] - expected[i + 2]) > 2;
-            return 4 * static_cast<double>(pixels) / static_cast<double>(image.size());
-        };
-        std::printf("%g m above: %.5f of the pixels differ, elsewhere %.3f\n", above_m, different(found),
-                    different(elsewhere));
-        // As above. A double of 1e7 m has steps of 2e-9 m, which a matrix multiplies.
-        EXPECT_LT(different(found), 0.002);
-        EXPECT_GT(different(elsewhere), 0.1);
+        expect_equal(found, expected, elsewhere, above_m);
     }
 }
 

@@ -1,10 +1,9 @@
 // Droplet of spray as a card that faces the eye and is stretched along its motion.
 //
 // A droplet is a ball as it leaves the water. Within a quarter of a second the wind tears it: its card
-// shows a shred (gl/water/spray_image.hpp). In a
-// gale clumps of fine drops rise then, because turbulence carries them, and stand for more of their
-// simulation, even more so far away, where fewer leave the crests (sim/spray/crest_spray.cpp). All of
-// this is chosen by eye.
+// shows a shred (gl/water/spray_image.hpp). In a gale clumps of fine drops rise then, because
+// turbulence carries them. Each stands for more spray than its droplet, even more so far away, where
+// fewer leave the crests (sim/spray/crest_spray.cpp). All of this is chosen by eye.
 //
 // A droplet scatters light as a clump of drops. Light is scattered once, mostly forwards, and with
 // the other fraction as often as makes it equal in all directions. Sunlight and skylight are not
