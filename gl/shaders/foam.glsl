@@ -18,11 +18,11 @@ uniform highp sampler2DArray foam_structure;  // bubbles, lace, streaks
 
 const int bubbles_layer = 0, lace_layer = 1, streaks_layer = 2;
 const float foam_texels = 256.0;  // texels along each axis
-// Deviations: of the margin at a point, which softens edges, and of the margin of thick foam.
-const float edge_softness = 0.12, thick_softness = 0.6;
+// Deviations of margins at a point by bubbles, which no texture shows: edges are translucent.
+const float film_softness = 0.55, thick_softness = 0.6;
 const float thick_margin = 3.0, largest_margin = 3.7;
-// Fine structure of weight 0.4 counts for 0.7 in the margin of thick foam: 0.7^2 - 0.4^2 of variance.
-const float fine_weight = 0.4, thick_fine_weight = 0.7, thick_variance = 0.33;
+// Fine structure of weight 0.62 counts for 0.9 in the margin of thick foam: 0.9^2 - 0.62^2 of variance.
+const float fine_weight = 0.62, thick_fine_weight = 0.9, thick_variance = 0.43;
 // Thick part of the cover, if all ages are equally frequent.
 const float thick_in_mean = 0.115;
 const float film_share = 0.28;
@@ -115,8 +115,8 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     const float wide_limit_m = 2.1;
     vec4 wide = lace_at(wide_lace, at, pixel_m);
 #if THREE_SCALES
-    add_scale(sheet, middle, 0.6, pixel_m, middle_limit_m, 1.1);
-    add_scale(sheet, wide, 0.55, pixel_m, wide_limit_m, 0.6);
+    add_scale(sheet, middle, 0.5, pixel_m, middle_limit_m, 1.0);
+    add_scale(sheet, wide, 0.45, pixel_m, wide_limit_m, 0.6);
 #else
     add_scale(sheet, middle, 0.72, pixel_m, middle_limit_m, 1.1);
     add_scale(sheet, wide, 0.55, pixel_m, wide_limit_m, 0.6);
@@ -197,10 +197,11 @@ Foam foam_at(vec2 at, float distance_m, Waves surface, vec3 to_eye) {
     foam.grain = 1.0 + 0.3 * clamp(grain, -2.0, 2.0);
 #endif
 
-    float margin = sheet.score + min(score_of(amount), largest_margin);
-    float unseen = max(1.0 - sheet.shown, edge_softness * edge_softness);
+    float score = min(score_of(amount), largest_margin), margin = sheet.score + score;
+    float film_variance = film_softness * film_softness;
+    float unseen = max(1.0 - sheet.shown, 0.0);
     thick_score += 2.2 * surf;
-    float cover = fraction_below(margin * inversesqrt(unseen));
+    float cover = fraction_below((sheet.score + score * sqrt(1.0 + film_variance)) * inversesqrt(unseen + film_variance));
     float thick = fraction_below((margin + thick_score - thick_margin) * inversesqrt(unseen + thick_unseen));
     cover = mix(cover, amount, mean) * min(100.0 * amount, 1.0);
     thick = thickest * min(mix(thick, amount * mix(thick_in_mean, 0.6, surf), mean), cover);

@@ -363,8 +363,9 @@ float3 PelagicWithFoam(float3 radiance, float3 lace, float amount, float pixel_m
     if (amount <= 0.0) return radiance;
 
     float shown = saturate(1.0 - pixel_m / 0.6), score = 0.97 * sqrt(shown) * lace.z;
-    float margin = score + min(PelagicScoreOf(amount), 3.7), unseen = max(1.0 - 0.9409 * shown, 0.0144);
-    float cover = PelagicFractionBelow(margin * rsqrt(unseen)) * min(100.0 * amount, 1.0);
+    float margin = score + min(PelagicScoreOf(amount), 3.7), unseen = 1.0 - 0.9409 * shown;
+    float spread = score + 1.14127 * min(PelagicScoreOf(amount), 3.7);
+    float cover = PelagicFractionBelow(spread * rsqrt(unseen + 0.3025)) * min(100.0 * amount, 1.0);
     float thickness = min(PelagicFractionBelow((margin - 3.0) * rsqrt(unseen + 0.69)), cover) / max(cover, 1e-4);
     float2 relief = (0.9 * shown) * lace.xy;
     float hollow = lerp(0.35, saturate(-0.55 * lace.z), shown);
