@@ -176,6 +176,7 @@ gl::SkyOptions with_clouds(float elevation_deg, float azimuth_deg) {
     gl::SkyOptions options = clear_sky(elevation_deg);
     options.sun_azimuth_rad = azimuth_deg * 0.0174533f;
     options.cloud_cover = 0.4f;
+    options.cloud_seed = 4;  // hides about half of the suns of the tests
     return options;
 }
 

@@ -19,7 +19,7 @@ struct SkyOptions {
     float sun_elevation_rad = 0.45f;  ///< above the horizon; [-pi/2, pi/2]
     float cloud_cover = 0.35f;        ///< fraction of the sky that clouds cover; [0, 1]
     float visibility_m = 40e3f;       ///< distance at which contrast falls to 2 %; [500, 300e3]
-    std::uint32_t cloud_seed = 4;     ///< seed of the clouds
+    std::uint32_t cloud_seed = 108;   ///< seed of the clouds
     bool places_moon = false;         ///< if false, the moon is full and opposite the sun
     float moon_azimuth_rad = 0;       ///< from +x towards +z; a finite number
     /// Above the horizon; the phase follows from the sun's position; [-pi/2, pi/2].

@@ -12,8 +12,8 @@ namespace pelagic::tools {
 struct BuoyRecord {
     double rate_hz = 4;
     double depth_m = 4000;  ///< of the water, for the wave number of a frequency
-    std::vector<double> height_m;
-    std::vector<double> slope_x, slope_z;  ///< derivatives of the height along +x and +z
+    std::vector<double> height_m = {};
+    std::vector<double> slope_x = {}, slope_z = {};  ///< derivatives of the height along +x and +z
 };
 
 /// Statistics that the record does not determine are empty: the zero-crossing period without two

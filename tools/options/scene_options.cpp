@@ -124,7 +124,7 @@ void SceneFlags::add_to(CLI::App& app, SeaOptions::PresetName preset) {
     add("sun", "AZIMUTH,ELEVATION", "direction in degrees; azimuth from +x to +z (default: 80,32)");
     add("moon", "AZIMUTH,ELEVATION", "direction in degrees (default: opposite the sun, full)");
     add("clouds", "FRACTION", "cloud cover; [0, 1] (default: depends on the wind)");
-    add("cloud-seed", "NUMBER", "seed of the clouds; 0 to 4294967295 (default: 4, or that of --light)");
+    add("cloud-seed", "NUMBER", "seed of the clouds; 0 to 4294967295 (default: 108, or that of --light)");
     add("visibility", "METRES", "distance of 2 % contrast; [500, 300000] (default: depends on the wind)");
     add("crest-glow", "GAIN", "factor on light through wave crests; [0, 10]; 1 is true to nature (default: 1)");
     add("exposure", "EV", "exposure value at ISO 100; [-10, 20], or auto: metered (default: auto)");
