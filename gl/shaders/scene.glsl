@@ -52,8 +52,8 @@ layout(std140) uniform Scene {
     // x, y: scale of slopes and of variances; z: slope variance of all waves, summed over both
     // axes
     highp vec4 cascade_slope[4];
-    // xy: the viewer's position in the noise that varies the copies of the cascade; z: side of the
-    // cascade over that of the noise
+    // xy: the viewer's position in the noise that varies the copies of the cascade, and in the sines
+    // that displace it; z: side of the cascade over their period
     highp vec4 cascade_noise[4];
     // x: 1 if the sky is drawn where the lens is in the air; y: extinction of spindrift, 1/m; z:
     // height above the still-water level; w: height of that level in the world

@@ -53,32 +53,6 @@ void add_compressions(int cascade, vec2 uv, float mip, float weight, inout vec4 
 #endif
 }
 
-#if SHADING == HIGH
-// Offset copies of the coarsest cascade, whose period is visible in the foam of a distant sea.
-Copies foam_copies(vec2 at, float distance_m) {
-#if CASCADES == 1
-    return copies_at(0, at, distance_m);
-#else
-    float fraction = smoothstep(1.0, 2.0, distance_m / cascade_scale[0].z);
-    if (fraction <= 0.0) return Copies(vec2(0.0), vec2(0.0), vec2(0.5), true);
-    vec2 uv = cascade_noise[0].xy + rotated_into_cascade(0, at) * cascade_noise[0].z;
-    return copies_along(fraction * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5));
-#endif
-}
-
-#if CASCADES > 1
-// Returns a smooth displacement of the second cascade's foam, in texture coordinates, which differs
-// from period to period by more than the width of a front. It stretches the foam by a tenth, and is
-// 0 near the eye, where foam lies on the waves that break.
-vec2 foam_bend(vec2 at, float distance_m) {
-    float far = smoothstep(2.0, 4.0, distance_m / cascade_scale[1].z);
-    if (far <= 0.0) return vec2(0.0);
-    vec2 uv = cascade_noise[1].xy + rotated_into_cascade(1, at) * cascade_noise[1].z;
-    return vec2(0.8, 0.6) * (far * 5.0 * (textureLod(detail, uv, 5.0).z - 0.5));
-}
-#endif
-#endif
-
 // Returns the foam of water whose compression is that of the snapshots, and `present` now, in
 // standard deviations. Normal noise `torn` is added to all of them; `spread` is the deviation of the
 // sum, by which the threshold grows.
@@ -90,19 +64,14 @@ FoamOfWaves foam_of_snapshots(vec2 at, float distance_m, float present, float wi
     for (int cascade = 0; cascade < FOAM_CASCADES; ++cascade) {
         float mip = log2(wide * cascade_scale[cascade].x);
         float weight = foam_cascade[cascade].w * weight_of_cascade(cascade, mip) * shore_weight_of_cascade(cascade);
-        vec2 uv = place_in_cascade(cascade, at) - foam_cascade[cascade].xy;
-#if SHADING == HIGH
-        if (cascade == 0) {
-            Copies copies = foam_copies(at, distance_m);
-            if (!copies.are_one) {
-                add_compressions(0, uv + copies.second, mip, weight * copies.weights.y, sums);
-                weight *= copies.weights.x;
-                uv += copies.first;
-            }
+        vec2 uv = place_of_pixel(cascade, at, distance_m) - foam_cascade[cascade].xy;
+#if SHADING == HIGH && CASCADES == 1
+        Copies copies = copies_at(0, at, distance_m);
+        if (!copies.are_one) {
+            add_compressions(0, uv + copies.second, mip, weight * copies.weights.y, sums);
+            weight *= copies.weights.x;
+            uv += copies.first;
         }
-#if CASCADES > 1
-        if (cascade == 1) uv += foam_bend(at, distance_m);
-#endif
 #endif
         if (weight > 0.0) add_compressions(cascade, uv, mip, weight, sums);
     }

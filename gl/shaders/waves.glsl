@@ -49,6 +49,26 @@ struct Slopes {
 // Signed bytes: 128 is zero.
 const float signed_scale = 255.0 / 127.0, signed_zero = 128.0 / 127.0;
 
+// Returns a cascade's texture coordinates of a pixel.
+//
+// Where many periods of a cascade are in view, its waves visibly repeat. Beyond one side of the
+// coarsest cascade, and two of the next, their places are therefore displaced along the wind. The sum
+// of four sines, with 10 to 12 waves in the period of cascade_noise, differs from period to period by
+// more than a quarter of the waves that show. It changes wavelengths by about a tenth, and moves foam
+// with the waves.
+vec2 place_of_pixel(int cascade, vec2 at, float distance_m) {
+    vec2 uv = place_in_cascade(cascade, at);
+#if CASCADES > 1
+    if (cascade > 1) return uv;
+    float far = smoothstep(1.0, 2.0, distance_m / (float(cascade + 1) * cascade_scale[cascade].z));
+    if (far <= 0.0) return uv;
+    vec2 turns = cascade_noise[cascade].xy + rotated_into_cascade(cascade, at) * cascade_noise[cascade].z;
+    vec4 bends = sin(6.2831853 * (vec4(12.0, 3.0, -2.0, -10.0) * turns.x + vec4(2.0, 10.0, 12.0, 3.0) * turns.y));
+    uv += rotated_into_cascade(cascade, waves.zw) * (cascade_scale[cascade].z * far * 0.02 * dot(bends, vec4(1.0)));
+#endif
+    return uv;
+}
+
 #if SHADING == HIGH
 // Returns the sides of a footprint, clamped to at least a texel and at most one period of the
 // texture.
@@ -114,7 +134,7 @@ Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
     float all = cascade_slope[cascade].z;
     if (weight <= 0.0) return Slopes(vec2(0.0), vec3(0.0), all);
     mat2 sides = sides_of(pixel, 1.0 / cascade_scale[cascade].x, cascade_scale[cascade].z);
-    Slopes seen = slopes_in_footprint(cascade, place_in_cascade(cascade, at), mat2(rotated_into_cascade(cascade, sides[0]), rotated_into_cascade(cascade, sides[1])), mip,
+    Slopes seen = slopes_in_footprint(cascade, place_of_pixel(cascade, at, distance_m), mat2(rotated_into_cascade(cascade, sides[0]), rotated_into_cascade(cascade, sides[1])), mip,
                                copies_at(cascade, at, distance_m));
     return Slopes(weight * seen.h, weight * seen.d, mix(all, seen.variance, weight * weight));
 }
@@ -125,7 +145,7 @@ Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
 // the same slope variance.
 Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
     float mip = log2(pixel.wide_m * cascade_scale[cascade].x);
-    vec3 uv = vec3(place_in_cascade(cascade, at), cascade);
+    vec3 uv = vec3(place_of_pixel(cascade, at, distance_m), cascade);
     float weight = weight_of_cascade(cascade, mip);
     float all = cascade_slope[cascade].z, range = cascade_slope[cascade].x;
     vec4 texel = (textureLod(slopes, uv, mip) * signed_scale - signed_zero) * (weight * range);

@@ -37,8 +37,8 @@ constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
 /// Angle below the horizon over which the horizon is softened.
 constexpr double softened_horizon_rad = 0.15 * pi / 180;
-/// Period, in sides of a cascade, of the noise that varies the copies of the cascade. The value is
-/// far from every integer.
+/// Period, in sides of a cascade, of the noise that varies the copies of the cascade, and of the
+/// sines that displace it. The value is far from every integer.
 constexpr double cascade_noise_sides = 12 * golden;
 
 /// Illuminance of a star of magnitude 0 (Allen 1976, "Astrophysical Quantities").
