@@ -13,8 +13,8 @@ image() {
 image 2m --preset moderate --light noon --camera 0,2.2,0 --target 60,0.5,25 --fov 50
 image deck --preset rough --light noon --sun 150,40 --camera 0,10,0 --target 100,3,40 --fov 42 --time 4
 image plane --preset rough --light noon --sun 95,40 --camera 0,420,0 --target 700,150,420 --fov 50
-image dusk --preset moderate --light golden-hour --sun 48,3 --camera 0,3,0 --target 60,1.6,55 --fov 40 --time 5
-image storm --preset beaufort-10 --clouds 0.65 --visibility 30000 --sun 190,25 --camera 0,10,0 --target 60,6,20 --fov 40 --time 7
+image dusk --preset moderate --light golden-hour --sun 48,3 --camera 0,3,0 --target 60,1.6,55 --fov 40 --time 5 --cloud-seed 9
+image storm --preset beaufort-10 --clouds 0.65 --visibility 30000 --sun 190,25 --camera 0,10,0 --target 60,6,20 --fov 40 --time 7 --cloud-seed 84
 image moonlight --preset moderate --light moonlight --camera 0,5,0 --target 60,6,55 --fov 50
 image underwater --preset calm --water I --depth 5 --camera 0,-1.5,0 --target 20,-2.6,16 --sun 30,50 --fov 75
 heights=$(mktemp --suffix=.png)
@@ -76,7 +76,7 @@ below island --preset calm --water I --floor "$heights" --floor-size 300 --camer
 "$pelagic" render --size 480x270 --preset beaufort-1 --camera 0,3,0 --target 30,0.5,12 --fov 40 --sun 300,28 --rock 32,12.5 --out docs/images/mirror_rock.png
 
 # A boat that floats by the forces on its hull.
-"$pelagic" render --size 960x540 --preset calm --hull examples/boat/boat.obj --mass 4400 --hull-center -0.6,0,0 --hull-thrust 11000 --time 25 --camera 21,5.5,31 --target 36,0,15 --fov 45 --exposure-bias -0.7 --out docs/images/floating.png
+"$pelagic" render --size 960x540 --preset calm --hull examples/boat/boat.obj --mass 4400 --hull-center -0.6,0,0 --hull-thrust 9000 --time 25 --camera 16,5.5,31 --target 33,0,14 --fov 45 --exposure-bias -0.7 --out docs/images/floating.png
 
 # One cascade of 250 m beside the default cascades, from four heights.
 pair() {
