@@ -38,7 +38,8 @@ PLATFORMS = {"linux": (("Editor: Editor", "CPU: x86_64", "OS: Linux"), ("Standal
              "android": (("Android: Android", "CPU: ARM64"),),
              "android_x86_64": (("Android: Android", "CPU: X86_64"),)}
 IMPORTERS = {".cs": "MonoImporter", ".asmdef": "AssemblyDefinitionImporter", ".json": "PackageManifestImporter", ".md": "TextScriptImporter",
-             ".hlsl": "ShaderIncludeImporter", ".shader": "ShaderImporter"}
+             ".hlsl": "ShaderIncludeImporter", ".shader": "ShaderImporter", ".unity": "DefaultImporter", ".mat": "NativeFormatImporter",
+             ".prefab": "PrefabImporter"}
 
 
 def functions_of_the_header():
@@ -82,6 +83,8 @@ def meta(path, is_folder, system=None):
         lines += [f"{IMPORTERS[pathlib.PurePosixPath(path).suffix]}:", "  externalObjects: {}"]
         if path.endswith(".cs"):
             lines += ["  serializedVersion: 2", "  defaultReferences: []", "  executionOrder: 0", "  icon: {instanceID: 0}"]
+        if path.endswith(".mat"):
+            lines.append("  mainObjectFileID: 2100000")
     return "\n".join(lines + ["  userData: ", "  assetBundleName: ", "  assetBundleVariant: ", ""]).encode()
 
 
@@ -102,7 +105,7 @@ def contents(libraries):
              "LICENSE.md": (SOURCE / "LICENSE").read_bytes(),
              "Third Party Notices.md": (SOURCE / "NOTICE").read_bytes(),
              "Documentation~/pelagic.md": page_of_package().encode()}
-    for folder in ("Runtime", "Samples~"):
+    for folder in ("Runtime", "Editor", "Samples~"):
         for file in sorted((HERE / folder).rglob("*")):
             if file.is_file():
                 files[file.relative_to(HERE).as_posix()] = file.read_bytes()

@@ -9,6 +9,8 @@ using System.Reflection;
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class TestAttribute : Attribute
 {
+    /// <summary>True: runs only if it is named, in a process of its own.</summary>
+    public bool IsAlone;
 }
 
 public static class Check
@@ -77,7 +79,7 @@ public static class Program
         foreach (var test in tests)
         {
             var name = $"{test.DeclaringType.Name}.{test.Name}";
-            if (arguments.Length > 1 && !arguments.Skip(1).Contains(name)) continue;
+            if (arguments.Length > 1 ? !arguments.Skip(1).Contains(name) : test.GetCustomAttribute<TestAttribute>().IsAlone) continue;
             try
             {
                 test.Invoke(null, null);

@@ -37,8 +37,8 @@ public static class OceanSurfaceTests
             BehaviourTests.Send(Surface, "LateUpdate");
         }
 
-        internal Vector4 Vector(string name) => (Vector4)Surface.Material.Values[name];
-        internal Vector4[] Vectors(string name) => (Vector4[])Surface.Material.Values[name];
+        internal Vector4 Vector(string name) => (Vector4)Surface.Material[name];
+        internal Vector4[] Vectors(string name) => (Vector4[])Surface.Material[name];
 
         public void Dispose()
         {
@@ -78,7 +78,7 @@ public static class OceanSurfaceTests
             foreach (var draw in Graphics.Draws)
             {
                 Check.True(draw.Item2.Submeshes[draw.Item3].SequenceEqual(Quadtree.Triangles(32, (PatchSides)draw.Item3)), "triangles of the stitching");
-                var patches = draw.Item1.matProps.Values["_PelagicPatches"];
+                var patches = draw.Item1.matProps["_PelagicPatches"];
                 for (var i = 0; i < draw.Item4; ++i)
                 {
                     Vector4 patch = patches[2 * i], edges = patches[2 * i + 1];

@@ -11,7 +11,82 @@ namespace UnityEngine
     public class Object
     {
         public static readonly List<Object> Destroyed = new List<Object>();
-        public static void Destroy(Object obj) => Destroyed.Add(obj);
+        public static void Destroy(Object obj)
+        {
+            obj.End();
+            Destroyed.Add(obj);
+        }
+
+        public string name { get; set; } = "Thing";
+
+        /// <summary>Of the stub: frees what Unity's objects hold.</summary>
+        protected virtual void End()
+        {
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/RangeAttribute.html</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class RangeAttribute : Attribute
+    {
+        public readonly float min, max;
+
+        public RangeAttribute(float min, float max)
+        {
+            this.min = min;
+            this.max = max;
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/MinAttribute.html</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class MinAttribute : Attribute
+    {
+        public readonly float min;
+        public MinAttribute(float min) => this.min = min;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/TooltipAttribute.html</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class TooltipAttribute : Attribute
+    {
+        public readonly string tooltip;
+        public TooltipAttribute(string tooltip) => this.tooltip = tooltip;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/HeaderAttribute.html</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class HeaderAttribute : Attribute
+    {
+        public readonly string header;
+        public HeaderAttribute(string header) => this.header = header;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/DefaultExecutionOrder.html</summary>
+    [AttributeUsage(AttributeTargets.Class)]
+    public class DefaultExecutionOrder : Attribute
+    {
+        public int order { get; }
+        public DefaultExecutionOrder(int order) => this.order = order;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Debug.LogError.html</summary>
+    public class Debug
+    {
+        public static readonly List<string> Errors = new List<string>();
+        public static void LogError(object message, Object context) => Errors.Add((string)message);
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Application-isPlaying.html</summary>
+    public class Application
+    {
+        public static bool isPlaying { get; set; }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Mathf.Abs.html</summary>
+    public struct Mathf
+    {
+        public static float Abs(float f) => Math.Abs(f);
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/MonoBehaviour.html</summary>
@@ -22,9 +97,8 @@ namespace UnityEngine
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Component.html</summary>
     public class Component : Object
     {
-        public readonly Transform Placed = new Transform();
         public readonly GameObject Owner = new GameObject();
-        public Transform transform => Placed;
+        public Transform transform => Owner.transform;
         public GameObject gameObject => Owner;
     }
 
@@ -36,7 +110,10 @@ namespace UnityEngine
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/GameObject.html</summary>
     public sealed class GameObject : Object
     {
+        public readonly Transform Placed = new Transform();
         public int layer { get; set; }
+        public SceneManagement.Scene scene { get; set; }
+        public Transform transform => Placed;
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Transform.html</summary>
@@ -45,7 +122,7 @@ namespace UnityEngine
         public Vector3 position { get; set; }
         public Vector3 forward { get; set; }
         public Vector3 up { get; set; }
-        public Quaternion rotation { get; set; }
+        public Quaternion rotation { get; set; } = new Quaternion(0, 0, 0, 1);
 
         public void SetPositionAndRotation(Vector3 position, Quaternion rotation)
         {
@@ -78,6 +155,7 @@ namespace UnityEngine
     {
         public static double timeAsDouble { get; set; }
         public static float fixedDeltaTime { get; set; } = 0.02f;
+        public static double fixedTimeAsDouble { get; set; }
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Vector3.html</summary>
@@ -91,31 +169,76 @@ namespace UnityEngine
             this.y = y;
             this.z = z;
         }
+
+        public static Vector3 operator +(Vector3 a, Vector3 b) => new Vector3(a.x + b.x, a.y + b.y, a.z + b.z);
+        public static Vector3 operator -(Vector3 a, Vector3 b) => new Vector3(a.x - b.x, a.y - b.y, a.z - b.z);
+        public static Vector3 operator *(Vector3 a, float d) => new Vector3(a.x * d, a.y * d, a.z * d);
+
+        public static Vector3 Cross(Vector3 lhs, Vector3 rhs)
+        {
+            return new Vector3(lhs.y * rhs.z - lhs.z * rhs.y, lhs.z * rhs.x - lhs.x * rhs.z, lhs.x * rhs.y - lhs.y * rhs.x);
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Vector2.html</summary>
+    public struct Vector2
+    {
+        public float x, y;
+
+        public Vector2(float x, float y)
+        {
+            this.x = x;
+            this.y = y;
+        }
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Quaternion.html</summary>
     public struct Quaternion
     {
-        // Columns of the rotation's matrix.
-        private Vector3 right, up, forward;
+        public float x, y, z, w;
+
+        public Quaternion(float x, float y, float z, float w)
+        {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+            this.w = w;
+        }
 
         public static Quaternion LookRotation(Vector3 forward, Vector3 upwards)
         {
             forward = Normalized(forward);
-            var right = Normalized(Cross(upwards, forward));
-            return new Quaternion { right = right, up = Cross(forward, right), forward = forward };
+            Vector3 right = Normalized(Vector3.Cross(upwards, forward)), up = Vector3.Cross(forward, right);
+            // The largest component by the diagonal of the matrix, the others by its other elements (Shepperd 1978).
+            double x2 = 1.0 + right.x - up.y - forward.z, y2 = 1.0 - right.x + up.y - forward.z, z2 = 1.0 - right.x - up.y + forward.z, w2 = 1.0 + right.x + up.y + forward.z;
+            double wx = up.z - forward.y, wy = forward.x - right.z, wz = right.y - up.x, xy = right.y + up.x, xz = forward.x + right.z, yz = up.z + forward.y;
+            var largest = Math.Max(Math.Max(x2, y2), Math.Max(z2, w2));
+            return largest == w2 ? Scaled(wx, wy, wz, w2, w2) : largest == x2 ? Scaled(x2, xy, xz, wx, x2) : largest == y2 ? Scaled(xy, y2, yz, wy, y2) : Scaled(xz, yz, z2, wz, z2);
+        }
+
+        private static Quaternion Scaled(double x, double y, double z, double w, double square)
+        {
+            var scale = 0.5 / Math.Sqrt(square);
+            return new Quaternion((float)(x * scale), (float)(y * scale), (float)(z * scale), (float)(w * scale));
+        }
+
+        public static Quaternion AngleAxis(float angle, Vector3 axis)
+        {
+            axis = Normalized(axis);
+            double half = angle * Math.PI / 360, sine = Math.Sin(half);
+            return new Quaternion((float)(axis.x * sine), (float)(axis.y * sine), (float)(axis.z * sine), (float)Math.Cos(half));
+        }
+
+        public static Quaternion operator *(Quaternion a, Quaternion b)
+        {
+            return new Quaternion(a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+                                  a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z);
         }
 
         public static Vector3 operator *(Quaternion rotation, Vector3 point)
         {
-            Vector3 x = rotation.right, y = rotation.up, z = rotation.forward;
-            return new Vector3(x.x * point.x + y.x * point.y + z.x * point.z, x.y * point.x + y.y * point.y + z.y * point.z,
-                               x.z * point.x + y.z * point.y + z.z * point.z);
-        }
-
-        private static Vector3 Cross(Vector3 a, Vector3 b)
-        {
-            return new Vector3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+            Vector3 axis = new Vector3(rotation.x, rotation.y, rotation.z), twice = Vector3.Cross(axis, point) * 2;
+            return point + twice * rotation.w + Vector3.Cross(axis, twice);
         }
 
         private static Vector3 Normalized(Vector3 v)
@@ -233,13 +356,24 @@ namespace UnityEngine
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Texture2DArray.html</summary>
-    public sealed class Texture2DArray : Texture
+    public sealed unsafe class Texture2DArray : Texture
     {
         public readonly int Side, Depth;
         public readonly bool HasMipmaps, IsLinear;
         public readonly TextureFormat Format;
-        public readonly Dictionary<(int level, int slice), byte[]> Levels = new Dictionary<(int, int), byte[]>();
+        private readonly byte*[] levels;  // in system memory
+        private readonly byte[][] sent;   // what Apply() sent to the GPU
+        private readonly int bytes;
+        private IntPtr memory;
         public int Applied;
+        /// <summary>Bytes that SetPixelData() copied, of all textures.</summary>
+        public static long Copied;
+        /// <summary>Position of the first texel within 64 bytes, of textures that are made from now on.</summary>
+        public static int Misalignment;
+        /// <summary>Number of textures that are not destroyed.</summary>
+        public static int Live;
+
+        public int mipmapCount { get; }
 
         public Texture2DArray(int width, int height, int depth, TextureFormat textureFormat, bool mipChain, bool linear)
         {
@@ -248,18 +382,57 @@ namespace UnityEngine
             Format = textureFormat;
             HasMipmaps = mipChain;
             IsLinear = linear;
+            mipmapCount = 1;
+            while (mipChain && width >> mipmapCount > 0) ++mipmapCount;
+            levels = new byte*[depth * mipmapCount];
+            sent = new byte[levels.Length][];
+            for (var i = 0; i < levels.Length; ++i)
+            {
+                sent[i] = new byte[Bytes(i % mipmapCount)];
+                bytes += sent[i].Length;
+            }
+            memory = Marshal.AllocHGlobal(bytes + 128);
+            ++Live;
+            var at = (byte*)(((long)memory + 63) / 64 * 64 + Misalignment);
+            for (var i = 0; i < levels.Length; ++i)
+            {
+                levels[i] = at;
+                at += sent[i].Length;
+            }
         }
 
-        public unsafe void SetPixelData<T>(NativeArray<T> data, int mipLevel, int element, int sourceDataStartIndex = 0) where T : struct
+        private int Bytes(int mipLevel) => (Side >> mipLevel) * (Side >> mipLevel) * (Format == TextureFormat.RGBAHalf ? 8 : 4);
+
+        protected override void End()
         {
-            var bytes = new byte[data.Length * Marshal.SizeOf(typeof(T))];
-            Marshal.Copy((IntPtr)data.Pointer, bytes, 0, bytes.Length);
-            Levels[(mipLevel, element)] = bytes;
+            if (memory == IntPtr.Zero) throw new InvalidOperationException("The texture was destroyed before.");
+            Marshal.FreeHGlobal(memory);
+            memory = IntPtr.Zero;
+            --Live;
         }
+
+        public NativeArray<T> GetPixelData<T>(int mipLevel, int element) where T : struct
+        {
+            if (memory == IntPtr.Zero) throw new InvalidOperationException("The texture was destroyed.");
+            return new NativeArray<T> { Pointer = levels[element * mipmapCount + mipLevel], Length = Bytes(mipLevel) / Marshal.SizeOf(typeof(T)) };
+        }
+
+        public void SetPixelData<T>(NativeArray<T> data, int mipLevel, int element, int sourceDataStartIndex = 0) where T : struct
+        {
+            var count = Bytes(mipLevel);
+            if (data.Length * Marshal.SizeOf(typeof(T)) != count) throw new ArgumentException("The data has another size than the level.");
+            Buffer.MemoryCopy(data.Pointer, levels[element * mipmapCount + mipLevel], count, count);
+            Copied += count;
+        }
+
+        /// <summary>What shaders see of a level.</summary>
+        public ReadOnlySpan<byte> Sent(int mipLevel, int element) => sent[element * mipmapCount + mipLevel];
 
         public void Apply(bool updateMipmaps = true, bool makeNoLongerReadable = false)
         {
-            if (!updateMipmaps && !makeNoLongerReadable) ++Applied;
+            if (updateMipmaps || makeNoLongerReadable) throw new ArgumentException("The mipmaps are those of the library.");
+            for (var i = 0; i < levels.Length; ++i) Marshal.Copy((IntPtr)levels[i], sent[i], 0, sent[i].Length);
+            ++Applied;
         }
     }
 
@@ -296,6 +469,7 @@ namespace UnityEngine
     public sealed class Mesh : Object
     {
         public readonly Dictionary<int, ushort[]> Submeshes = new Dictionary<int, ushort[]>();
+        public bool isReadable { get; set; } = true;
         public Vector3[] vertices { get; set; }
         public int[] triangles { get; set; }
         public int subMeshCount { get; set; }
@@ -306,21 +480,39 @@ namespace UnityEngine
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Material.html</summary>
     public class Material : Object
     {
-        public readonly Dictionary<string, object> Values = new Dictionary<string, object>();
-        public void SetVector(int nameID, Vector4 value) => Values[Shader.NameOf(nameID)] = value;
-        public void SetVectorArray(int nameID, Vector4[] values) => Values[Shader.NameOf(nameID)] = values;
-        public void SetTexture(int nameID, Texture value) => Values[Shader.NameOf(nameID)] = value;
+        private readonly ShaderValues values = new ShaderValues();
+        public object this[string name] => values[name];
+        public void SetVector(int nameID, Vector4 value) => values.Vectors[nameID] = value;
+        public void SetVectorArray(int nameID, Vector4[] values) => this.values.Objects[nameID] = values;
+        public void SetTexture(int nameID, Texture value) => values.Objects[nameID] = value;
+    }
+
+    /// <summary>Of the stubs: properties of a material, or global ones.</summary>
+    public sealed class ShaderValues
+    {
+        public readonly Dictionary<int, Vector4> Vectors = new Dictionary<int, Vector4>();
+        public readonly Dictionary<int, object> Objects = new Dictionary<int, object>();
+
+        public object this[string name]
+        {
+            get
+            {
+                var nameID = Shader.PropertyToID(name);
+                return Objects.TryGetValue(nameID, out var found) ? found : Vectors[nameID];
+            }
+        }
     }
 
     /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/MaterialPropertyBlock.html</summary>
     public sealed class MaterialPropertyBlock
     {
-        public readonly Dictionary<string, Vector4[]> Values = new Dictionary<string, Vector4[]>();
+        private readonly Dictionary<int, Vector4[]> values = new Dictionary<int, Vector4[]>();
+        public Vector4[] this[string name] => values[Shader.PropertyToID(name)];
 
         public void SetVectorArray(int nameID, Vector4[] values)
         {
             Vector4[] copy;
-            if (!Values.TryGetValue(Shader.NameOf(nameID), out copy)) Values[Shader.NameOf(nameID)] = copy = new Vector4[values.Length];
+            if (!this.values.TryGetValue(nameID, out copy)) this.values[nameID] = copy = new Vector4[values.Length];
             values.CopyTo(copy, 0);
         }
     }
@@ -358,17 +550,160 @@ namespace UnityEngine
     public sealed class Shader : Object
     {
         private static readonly List<string> names = new List<string>();
-        public static readonly Dictionary<string, object> Globals = new Dictionary<string, object>();
+        public static readonly ShaderValues Globals = new ShaderValues();
 
         public static int PropertyToID(string name)
         {
-            names.Add(name);
-            return names.Count - 1;
+            if (!names.Contains(name)) names.Add(name);
+            return names.IndexOf(name);
         }
 
-        public static string NameOf(int nameID) => names[nameID];
-        public static void SetGlobalTexture(int nameID, Texture value) => Globals[names[nameID]] = value;
-        public static void SetGlobalVectorArray(int nameID, Vector4[] values) => Globals[names[nameID]] = values;
+        public static void SetGlobalTexture(int nameID, Texture value) => Globals.Objects[nameID] = value;
+        public static void SetGlobalVectorArray(int nameID, Vector4[] values) => Globals.Objects[nameID] = values;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/ForceMode.html</summary>
+    public enum ForceMode
+    {
+        Force = 0,
+        Impulse = 1,
+        VelocityChange = 2,
+        Acceleration = 5,
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Physics.html</summary>
+    public class Physics
+    {
+        public static int Synchronised;
+        public static Vector3 gravity { get; set; } = new Vector3(0, -9.81f, 0);
+        public static void SyncTransforms() => ++Synchronised;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Rigidbody.html</summary>
+    public sealed class Rigidbody : Component
+    {
+        private Vector3 velocity;
+
+        public float mass { get; set; }
+        public bool useGravity { get; set; } = true;
+        public Vector3 centerOfMass { get; set; }
+        public Vector3 worldCenterOfMass => position + rotation * centerOfMass;
+        public Vector3 angularVelocity { get; set; }
+        public Vector3 position { get; set; }
+        public Quaternion rotation { get; set; } = new Quaternion(0, 0, 0, 1);
+        public Vector3 GetPointVelocity(Vector3 worldPoint) => velocity + Vector3.Cross(angularVelocity, worldPoint - worldCenterOfMass);
+
+        public void AddForce(Vector3 force, ForceMode mode)
+        {
+            if (mode != ForceMode.VelocityChange) throw new NotSupportedException();
+            velocity += force;
+        }
+
+        public void AddTorque(Vector3 torque, ForceMode mode)
+        {
+            if (mode != ForceMode.VelocityChange) throw new NotSupportedException();
+            angularVelocity += torque;
+        }
+
+        /// <summary>A step of physics: velocities, then positions.</summary>
+        public void Simulate(float stepS)
+        {
+            if (useGravity) velocity += Physics.gravity * stepS;
+            var centre = worldCenterOfMass + velocity * stepS;
+            var turn = angularVelocity;
+            var speed = (float)Math.Sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+            if (speed > 0) rotation = Quaternion.AngleAxis((float)(speed * stepS * 180 / Math.PI), turn) * rotation;
+            position = centre - rotation * centerOfMass;
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Color32.html</summary>
+    public struct Color32
+    {
+        public byte r, g, b, a;
+
+        public Color32(byte r, byte g, byte b, byte a)
+        {
+            this.r = r;
+            this.g = g;
+            this.b = b;
+            this.a = a;
+        }
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/ParticleSystem.html</summary>
+    public sealed class ParticleSystem : Component
+    {
+        public Particle[] Shown;
+        public int Count;
+
+        /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/ParticleSystem.Particle.html</summary>
+        public struct Particle
+        {
+            public Vector3 position { get; set; }
+            public Vector3 velocity { get; set; }
+            public float startSize { get; set; }
+            public Color32 startColor { get; set; }
+            public float startLifetime { get; set; }
+            public float remainingLifetime { get; set; }
+        }
+
+        public void SetParticles(Particle[] particles, int size)
+        {
+            Shown = particles;
+            Count = size;
+        }
+    }
+}
+
+namespace UnityEngine.SceneManagement
+{
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/SceneManagement.Scene.html</summary>
+    public struct Scene
+    {
+        public GameObject[] Roots;
+
+        public void GetRootGameObjects(List<GameObject> rootGameObjects)
+        {
+            rootGameObjects.Clear();
+            rootGameObjects.AddRange(Roots);
+        }
+    }
+}
+
+namespace UnityEditor
+{
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Editor.html</summary>
+    public class Editor : UnityEngine.Object
+    {
+        public UnityEngine.Object target { get; set; }
+        public virtual void OnInspectorGUI() => throw new NotSupportedException();
+        public virtual bool RequiresConstantRepaint() => false;
+        public bool DrawDefaultInspector() => false;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/CustomEditor.html</summary>
+    [AttributeUsage(AttributeTargets.Class)]
+    public sealed class CustomEditor : Attribute
+    {
+        public readonly Type Inspected;
+        public CustomEditor(Type inspectedType) => Inspected = inspectedType;
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/MessageType.html</summary>
+    public enum MessageType
+    {
+        None,
+        Info,
+        Warning,
+        Error,
+    }
+
+    /// <summary>https://docs.unity3d.com/2022.3/Documentation/ScriptReference/EditorGUILayout.HelpBox.html</summary>
+    public sealed class EditorGUILayout
+    {
+        public static readonly List<(string message, MessageType type)> Boxes = new List<(string, MessageType)>();
+        public static void HelpBox(string message, MessageType type) => Boxes.Add((message, type));
     }
 }
 

@@ -43,13 +43,24 @@ def expected_lines(compiler):
     yield from (" ".join([*words[:2], ",".join(words[2:])]) for words in map(str.split, (GOLDEN / "values.txt").read_text().splitlines()))
 
 
+def other_libraries(compiler, folder, run):
+    """Runs tests of the components without the library, with another version, and with another library."""
+    for name, code in (("AMissingPluginIsOneLine", None), ("AnotherVersionIsOneLine", "unsigned pelagic_version(void) { return 20000; }"), ("AnotherLibraryIsOneLine", "int other;")):
+        place = folder / name
+        place.mkdir(exist_ok=True)
+        if code:
+            (place / "other.c").write_text(code)
+            subprocess.run([compiler, "-shared", "-o", place / "libpelagic_c.so", place / "other.c"], check=True)
+        subprocess.run([*run, f"PluginTests.{name}"], env=os.environ | {"LD_LIBRARY_PATH": str(place)}, check=True, timeout=40)
+
+
 def main():
     compiler, library, program, folder, *tests = sys.argv[1:]
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     flags = ["mcs", "-unsafe", "-langversion:7.2", "-warnaserror", "-optimize", "-d:ENABLE_UNITY_COLLECTIONS_CHECKS"]
     runtime, here = SOURCE / "unity/Runtime", pathlib.Path(__file__).parent
-    core, engine, component = (folder / f"{name}.dll" for name in ("Pelagic", "Stubs", "Pelagic.Unity"))
+    core, engine, component, editor = (folder / f"{name}.dll" for name in ("Pelagic", "Stubs", "Pelagic.Unity", "Pelagic.Unity.Editor"))
 
     def build(target, sources, *references):
         kind = "-target:library" if target.suffix == ".dll" else "-target:exe"
@@ -60,10 +71,12 @@ def main():
     build(core, runtime.glob("*.cs"))
     build(engine, [stubs])
     build(component, (runtime / "Unity").glob("*.cs"), core, engine)
-    build(folder / "Tests.exe", [*(SOURCE / "unity/Samples~").rglob("*.cs"), *(set(here.glob("*.cs")) - {stubs})], core, engine, component)
+    build(editor, (SOURCE / "unity/Editor").glob("*.cs"), core, engine, component)
+    build(folder / "Tests.exe", [*(SOURCE / "unity/Samples~").rglob("*.cs"), *(set(here.glob("*.cs")) - {stubs})], core, engine, component, editor)
     (folder / "expected.txt").write_text("\n".join([*expected_lines(compiler), *quadtree_lines(program, folder)]) + "\n")
     environment = os.environ | {"LD_LIBRARY_PATH": str(pathlib.Path(library).parent)}
     run = ["mono", folder / "Tests.exe", folder / "expected.txt"]
+    other_libraries(compiler, folder, run)
     # The end of a frame in flight takes 2 s; 44 s without the guard, when mono gives up its
     # threads.
     for test in ("ReloadTests.AProcessWithAFrameInFlightEnds", "CallbackTests.AProcessWhoseCallbacksRanOnThreadsEnds"):

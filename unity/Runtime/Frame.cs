@@ -47,6 +47,7 @@ namespace Pelagic
         internal Native.pelagic_shore_surface Shore;
         internal Native.pelagic_dynamic_waves_view Waves;
         internal (double X, double Z) Origin;
+        internal WaterFrame Water;
 
         internal FrameSlot(Steps steps) : base(steps) { }
 
@@ -84,6 +85,13 @@ namespace Pelagic
         /// <summary>The world's origin, as of Ocean.SetOrigin().</summary>
         public double OriginXM => Slot.Origin.X;
         public double OriginZM => Slot.Origin.Z;
+        /// <summary>
+        /// Sea level and current, as of Ocean.SetWaterFrame(). The frame's x = 0 lies at CurrentXMps TimeS - OriginXM in the
+        /// world, and z likewise.
+        /// </summary>
+        public WaterFrame Water => Slot.Water;
+        /// <summary>Significant wave height, mean over all seeds.</summary>
+        public double WaveHeightM => Slot.Frame.wave_height_m;
         /// <summary>N, texels along a side of each cascade.</summary>
         public int Resolution => Slot.Frame.resolution;
         public int CascadeCount => Slot.Frame.cascade_count;

@@ -68,6 +68,7 @@ namespace Pelagic
         private readonly IntPtr waves;
         private readonly bool hasShore;
         private (double X, double Z) nextOrigin, scheduledOrigin;
+        private WaterFrame nextWater, scheduledWater;
         private readonly List<BodiesHandle> keptBodies = new List<BodiesHandle>();
         private long frames;
 
@@ -159,6 +160,7 @@ namespace Pelagic
         private void Scheduled()
         {
             scheduledOrigin = nextOrigin;
+            scheduledWater = nextWater;
             ++steps.Count;
         }
 
@@ -172,6 +174,28 @@ namespace Pelagic
         {
             using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_set_origin(use.Pointer, xM, zM));
             nextOrigin = (xM, zM);
+        }
+
+        /// <summary>
+        /// Sets the sea level and the current of frames that are scheduled from now on. The current has flowed since
+        /// t = 0: to change it moves the sea by the change times t.
+        /// </summary>
+        public void SetWaterFrame(WaterFrame water)
+        {
+            water.struct_size = (uint)sizeof(WaterFrame);
+            using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_set_water_frame(use.Pointer, &water));
+            nextWater = water;
+        }
+
+        /// <summary>The sea of the frame completed last, which lies between two seas during a change.</summary>
+        public Sea Sea
+        {
+            get
+            {
+                var sea = default(Sea).Sized();
+                using (var use = new Use(handle)) Errors.Check(Native.pelagic_ocean_sea(use.Pointer, &sea));
+                return sea;
+            }
         }
 
         /// <summary>True if Complete() would not wait for other threads.</summary>
@@ -198,6 +222,7 @@ namespace Pelagic
                     CheckWithCallbacks(Native.pelagic_ocean_complete(use.Pointer, frame));
                 slot.Read(use.Pointer, waves, hasShore);
                 slot.Origin = scheduledOrigin;
+                slot.Water = scheduledWater;
                 slot.Begin(++frames);
                 return new Frame(slot);
             }

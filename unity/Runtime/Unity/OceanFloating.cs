@@ -1,47 +1,102 @@
+using System;
 using UnityEngine;
 
 namespace Pelagic.Unity
 {
     /// <summary>
-    /// Moves its transform as a hull that floats in the water of an OceanBehaviour with Depth. Each FixedUpdate()
-    /// advances the hull by Time.fixedDeltaTime in the frame completed last. In an ocean with DynamicWaves it
-    /// makes a wake. Where that frame has another origin than the one before, the hull moves to its place.
+    /// A hull that floats in the water of an OceanBehaviour with Depth. Each FixedUpdate() advances it by
+    /// Time.fixedDeltaTime in the frame completed last. In an ocean with DynamicWaves it makes a wake. Where that frame
+    /// has another origin than the one before, the hull moves to its place.
     ///
-    /// The bow points along the transform's z axis. A component that moves a Rigidbody must not be on the same object.
+    /// Without Body the component moves its transform. With Body, a Rigidbody on this object, it changes the body's
+    /// velocities by water, weight and Force, so that collisions, joints and forces of other components act, too; the
+    /// water is then taken at the time of the step. The bow points along the transform's z axis.
     /// </summary>
     public sealed class OceanFloating : MonoBehaviour
     {
-        public OceanBehaviour Ocean;
-        /// <summary>The outer surface, closed, of 4 to 4096 triangles, unscaled. Read/Write must be enabled.</summary>
-        public Mesh Mesh;
-        public float MassKg = 1000;
-        /// <summary>Force of engines and tow lines at the centre of mass, newtons, in the scene's axes.</summary>
-        public Vector3 Force;
+        // A longer extrapolation is worse than none: waves of 2 s turn in half a second.
+        private const double MaxExtrapolationS = 0.25;
 
-        /// <summary>The hull makes a wake if the ocean has dynamic waves. Takes effect when the component is enabled.</summary>
+        public OceanBehaviour Ocean;
+        [Tooltip("The outer surface, closed, of 4 to 4096 triangles, unscaled. Read/Write must be enabled.")]
+        public Mesh Mesh;
+        [Min(0), Tooltip("Mass in kg; (0, 1e10].")]
+        public float MassKg = 1000;
+        [Tooltip("Force of engines and tow lines at the centre of mass, newtons, in the scene's axes.")]
+        public Vector3 Force;
+        [Tooltip("The hull makes a wake if the ocean has dynamic waves.")]
         public bool Wake = true;
+        [Tooltip("A Rigidbody of this object. None: the component moves the transform.")]
+        public Rigidbody Body;
 
         private OceanBehaviour pressed;
         private double unpressedS;
         private Hull hull;
+        private HullInfo info;
         private Bodies bodies;
         private Ocean water;
+        private (Mesh Mesh, float MassKg, bool Wake, Rigidbody Body) launched;
+        private string problem;
         private uint number;
         private double originXM, originZM;
 
         /// <summary>The hull in the sea's axes, whose z axis is -z of the scene. Valid after the first step.</summary>
         public HullState State { get; private set; }
+        /// <summary>One line about why the hull does not float, or null.</summary>
+        public string Problem => problem;
 
         private void FixedUpdate()
         {
             if (Ocean == null || !Ocean.HasFrame) return;
-            if (water != Ocean.Ocean) Launch();
+            if (water != Ocean.Ocean || launched.Mesh != Mesh || launched.MassKg != MassKg || launched.Wake != Wake || launched.Body != Body) TryLaunch();
+            if (bodies == null) return;
             FollowOrigin();
+            double stepS = Time.fixedDeltaTime;
             bodies.SetInputs(number, new HullInputs { Force = new HullForce { ForceXN = Force.x, ForceYN = Force.y, ForceZN = -Force.z } });
-            bodies.Step(Time.fixedDeltaTime);
+            unpressedS += stepS;
+            if (Body == null)
+            {
+                bodies.Step(stepS);
+                State = bodies.State(number);
+                Place(State);
+                return;
+            }
+            var before = StateOfBody();
+            bodies.SetState(number, before);
+            bodies.Step(stepS);
             State = bodies.State(number);
-            unpressedS += Time.fixedDeltaTime;
-            Place(State);
+            // The step includes the weight.
+            var gravity = Body.useGravity ? Physics.gravity : default;
+            Body.AddForce(new Vector3((float)(State.VelocityXMps - before.VelocityXMps - gravity.x * stepS), (float)(State.VelocityYMps - before.VelocityYMps - gravity.y * stepS),
+                                      (float)(before.VelocityZMps - State.VelocityZMps - gravity.z * stepS)),
+                          ForceMode.VelocityChange);
+            Body.AddTorque(new Vector3((float)(before.AngularVelocityXRadps - State.AngularVelocityXRadps), (float)(before.AngularVelocityYRadps - State.AngularVelocityYRadps),
+                                       (float)(State.AngularVelocityZRadps - before.AngularVelocityZRadps)),
+                           ForceMode.VelocityChange);
+        }
+
+        /// <summary>
+        /// The state of Body, with what the library keeps of the preceding step. The frame is that of another time: the hull
+        /// has the height above its water, and the velocity relative to it, that it has in the water of the step, by first
+        /// derivatives.
+        /// </summary>
+        private HullState StateOfBody()
+        {
+            var state = bodies.State(number);
+            var loads = bodies.Loads(number);
+            var rise = loads.WaterVelocityYMps - loads.WaterVelocityXMps * loads.WaterSlopeX - loads.WaterVelocityZMps * loads.WaterSlopeZ;
+            var laterS = Math.Max(-MaxExtrapolationS, Math.Min(Time.fixedTimeAsDouble - Ocean.Frame.TimeS, MaxExtrapolationS));
+            Vector3 centre = Body.worldCenterOfMass, velocity = Body.GetPointVelocity(centre), turn = Body.angularVelocity;
+            (state.PositionXM, state.PositionYM, state.PositionZM) = (centre.x, centre.y - rise * laterS, -centre.z);
+            (state.VelocityXMps, state.VelocityYMps, state.VelocityZMps) =
+                (velocity.x - loads.WaterAccelerationXMps2 * laterS, velocity.y - loads.WaterAccelerationYMps2 * laterS, -velocity.z - loads.WaterAccelerationZMps2 * laterS);
+            // Axes of rotations are pseudovectors: a reflection changes their other components.
+            (state.AngularVelocityXRadps, state.AngularVelocityYRadps, state.AngularVelocityZRadps) = (-turn.x, -turn.y, turn.z);
+            // (-x, -y, z, w) in the sea's axes, times the quarter turn from the hull's axes to starboard, up and astern.
+            var q = Body.rotation;
+            double x = q.x, y = q.y, z = q.z, w = q.w, scale = 1 / Math.Sqrt(2 * (x * x + y * y + z * z + w * w));
+            (state.OrientationX, state.OrientationY, state.OrientationZ, state.OrientationW) = (-scale * (x + z), scale * (w - y), scale * (z - x), scale * (w + y));
+            return state;
         }
 
         /// <summary>Moves the wake's pressure along the steps since the last frame.</summary>
@@ -72,23 +127,48 @@ namespace Pelagic.Unity
             water = null;
         }
 
+        /// <summary>Launches the hull, or reports why not and waits for a change of fields or ocean.</summary>
+        private void TryLaunch()
+        {
+            OnDisable();
+            water = Ocean.Ocean;
+            launched = (Mesh, MassKg, Wake, Body);
+            var message = Mesh == null ? "Mesh is none, expected the outer surface of a hull"
+                : !Mesh.isReadable ? $"Mesh '{Mesh.name}' is not readable, expected Read/Write enabled in its import settings"
+                : !Ocean.Depth ? $"OceanBehaviour '{Ocean.name}' has no Depth, which a hull needs" : null;
+            try
+            {
+                if (message == null) Launch();
+            }
+            catch (PelagicException exception)
+            {
+                message = exception.Message;
+            }
+            Problems.Report(ref problem, message, this);
+        }
+
         /// <summary>Launches the hull upright, where the transform is.</summary>
         private void Launch()
         {
-            OnDisable();
             hull = HullOf(Mesh, MassKg);
+            info = hull.Info;
             var hasWake = Wake && Ocean.Ocean.DynamicWaves != null;
-            bodies = new Bodies(Ocean.Ocean, hasWake);
             var bow = transform.forward;
-            var heading = System.Math.Atan2(-bow.z, bow.x);
-            double cosine = System.Math.Cos(heading), sine = System.Math.Sin(heading);
+            var heading = Math.Atan2(-bow.z, bow.x);
+            double cosine = Math.Cos(heading), sine = Math.Sin(heading);
             // AtRest() takes the centre of mass, and the transform is the mesh's origin.
-            var info = hull.Info;
-            number = bodies.Add(hull, hull.AtRest(transform.position.x + cosine * info.CentreOfMassXM - sine * info.CentreOfMassZM,
-                                                  -transform.position.z + sine * info.CentreOfMassXM + cosine * info.CentreOfMassZM, heading));
-            water = Ocean.Ocean;
+            var rest = hull.AtRest(transform.position.x + cosine * info.CentreOfMassXM - sine * info.CentreOfMassZM,
+                                   -transform.position.z + sine * info.CentreOfMassXM + cosine * info.CentreOfMassZM, heading);
+            var set = new Bodies(Ocean.Ocean, hasWake);
+            number = set.Add(hull, rest);
+            bodies = set;
             (originXM, originZM) = (Ocean.Frame.OriginXM, Ocean.Frame.OriginZM);
             unpressedS = 0;
+            if (Body != null)
+            {
+                Body.mass = MassKg;
+                Body.centerOfMass = new Vector3((float)info.CentreOfMassZM, (float)info.CentreOfMassYM, (float)info.CentreOfMassXM);
+            }
             if (!hasWake) return;
             pressed = Ocean;
             pressed.BetweenFrames += Press;
@@ -121,7 +201,6 @@ namespace Pelagic.Unity
             double bowX = 1 - 2 * (y * y + z * z), bowY = 2 * (x * y + z * w), bowZ = 2 * (x * z - y * w);
             double upX = 2 * (x * y - z * w), upY = 1 - 2 * (x * x + z * z), upZ = 2 * (y * z + x * w);
             double starboardX = 2 * (x * z + y * w), starboardY = 2 * (y * z - x * w), starboardZ = 1 - 2 * (x * x + y * y);
-            var info = hull.Info;
             double forward = info.CentreOfMassXM, above = info.CentreOfMassYM, starboard = info.CentreOfMassZM;
             var origin = new Vector3((float)(state.PositionXM - bowX * forward - upX * above - starboardX * starboard),
                                      (float)(state.PositionYM - bowY * forward - upY * above - starboardY * starboard),

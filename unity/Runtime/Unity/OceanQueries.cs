@@ -18,15 +18,18 @@ namespace Pelagic.Unity
         /// <summary>Positions of one job.</summary>
         public const int BatchSize = 64;
 
-        private readonly Use ocean;
+        private readonly Use use;
         private JobHandle handle;
         private bool isDisposed;
+
+        /// <summary>The ocean of the queries. An OceanBehaviour creates another when its options change.</summary>
+        public Ocean Ocean { get; }
 
         /// <summary>Keeps the ocean's memory until Dispose(). The ocean needs OceanOptions.Queries.</summary>
         public OceanQueries(Ocean ocean)
         {
-            if (ocean == null) throw new ArgumentNullException(nameof(ocean));
-            this.ocean = new Use(ocean.Handle);
+            Ocean = ocean ?? throw new ArgumentNullException(nameof(ocean));
+            use = new Use(ocean.Handle);
         }
 
         /// <summary>
@@ -45,7 +48,7 @@ namespace Pelagic.Unity
             RequireRoom(velocities.IsCreated, velocities.Length, count);
             var job = new Job
             {
-                Ocean = ocean.Pointer,
+                Ocean = use.Pointer,
                 Count = count,
                 Positions = (Vector3*)positions.GetUnsafeReadOnlyPtr(),
                 Heights = heights.IsCreated ? (float*)heights.GetUnsafePtr() : null,
@@ -70,7 +73,7 @@ namespace Pelagic.Unity
             if (isDisposed) return;
             isDisposed = true;
             Complete();
-            ocean.Dispose();
+            use.Dispose();
         }
 
         private static void RequireRoom(bool isCreated, int length, int count)

@@ -7,7 +7,7 @@ namespace Pelagic.Unity
 {
     /// <summary>
     /// Draws the sea of an OceanBehaviour with four cascades for one camera: patches of a quadtree, with the shader
-    /// Pelagic/Ocean. Still water is at y = 0 of the scene.
+    /// Pelagic/Ocean.
     /// </summary>
     public sealed class OceanSurface : MonoBehaviour
     {
@@ -30,22 +30,25 @@ namespace Pelagic.Unity
                                     laceId = Shader.PropertyToID("_PelagicLace"), patchesId = Shader.PropertyToID("_PelagicPatches");
 
         public OceanBehaviour Source;
-        /// <summary>The camera that sees the sea, and that defines the level of detail.</summary>
+        [Tooltip("The camera that sees the sea, and that defines the level of detail.")]
         public Camera Camera;
-        /// <summary>A directional light.</summary>
+        [Tooltip("A directional light.")]
         public Light Sun;
-        /// <summary>A material with the shader Pelagic/Ocean. Its properties are overwritten in each frame.</summary>
+        [Tooltip("A material with the shader Pelagic/Ocean. Its properties are overwritten in each frame.")]
         public Material Material;
-        /// <summary>Side of the square of sea around the camera, in metres; [256, 8192].</summary>
+        [Range(256, 8192), Tooltip("Side of the square of sea around the camera, in metres.")]
         public float SizeM = 2048;
-        /// <summary>Steps along a patch; even, [2, 128].</summary>
+        [Range(2, 128), Tooltip("Steps along a patch, an even number.")]
         public int PatchVertices = 32;
-        /// <summary>A patch splits nearer than this times its side; [0.75, 8].</summary>
+        [Range(0.75f, 8), Tooltip("A patch splits nearer than this times its side.")]
         public float LodScale = 2;
-        /// <summary>Absorption of red, green and blue light, 1/m. Default: Jerlov's type II.</summary>
+        [Tooltip("Absorption of red, green and blue light, 1/m. By default that of Jerlov's type II.")]
         public Vector3 AbsorptionPerM = new Vector3(0.2652f, 0.07426f, 0.05485f);
-        /// <summary>Backscattering of red, green and blue light, 1/m. Default: Jerlov's type II.</summary>
+        [Tooltip("Backscattering of red, green and blue light, 1/m. By default that of Jerlov's type II.")]
         public Vector3 BackscatteringPerM = new Vector3(0.002456f, 0.002862f, 0.003947f);
+
+        // Equal in all scenes, and slow to compute.
+        private static byte[][] rippleLevels, laceLevels;
 
         private readonly Vector4[] place = new Vector4[Cascades], scale = new Vector4[Cascades], slope = new Vector4[Cascades],
                                    foamCascade = new Vector4[FoamCascades], foamAge = new Vector4[2], patches = new Vector4[2 * PatchesOfDraw];
@@ -55,37 +58,42 @@ namespace Pelagic.Unity
         private readonly Color[] ambient = new Color[1];
         // One for each draw, because a draw reads its properties later.
         private readonly List<MaterialPropertyBlock> properties = new List<MaterialPropertyBlock>();
-        private Ocean described;
-        private double waveHeightM;
+        private (float SizeM, int PatchVertices, float LodScale) built;
+        private string problem;
         private Mesh mesh;
         private Texture2D ripples, lace;
 
         /// <summary>The patches of the last LateUpdate(); null before.</summary>
         public Quadtree Quadtree { get; private set; }
 
+        /// <summary>One line about why nothing is drawn, or null.</summary>
+        public string Problem => problem;
+
+        private void OnValidate()
+        {
+            PatchVertices = Math.Max(2, PatchVertices & ~1);
+        }
+
         private void OnEnable()
         {
-            Quadtree = new Quadtree(SizeM, PatchVertices, LodScale);
-            mesh = PatchMesh(PatchVertices);
-            ripples = TextureOf(DetailTextures.Ripples());
-            lace = TextureOf(DetailTextures.Lace());
+            rippleLevels = rippleLevels ?? DetailTextures.Ripples();
+            laceLevels = laceLevels ?? DetailTextures.Lace();
+            ripples = TextureOf(rippleLevels);
+            lace = TextureOf(laceLevels);
         }
 
         // After the Update() of the source, which completes the frame.
         private void LateUpdate()
         {
-            if (Source == null || Source.Ocean == null || Source.Displacement == null) return;
+            Problems.Report(ref problem, FirstProblem(), this);
+            if (problem != null || !Source.HasFrame) return;
+            Build();
             var frame = Source.Frame;
-            if (frame.CascadeCount != Cascades) throw new InvalidOperationException("OceanSurface needs a sea of four cascades.");
-            if (described != Source.Ocean)
-            {
-                waveHeightM = Source.Sea.Statistics().ExpectedWaveHeightM;
-                described = Source.Ocean;
-            }
             var viewer = Camera.transform.position;
-            SetWaves(frame, viewer.x + frame.OriginXM, frame.OriginZM - viewer.z);
+            var water = frame.Water;
+            SetWaves(frame, viewer.x + frame.OriginXM - water.CurrentXMps * frame.TimeS, frame.OriginZM - viewer.z - water.CurrentZMps * frame.TimeS);
             SetLight();
-            Material.SetVector(viewerId, new Vector4(viewer.x, viewer.y, viewer.z, 0));
+            Material.SetVector(viewerId, Vector(viewer.x, viewer.y, viewer.z, water.SeaLevelM));
             Material.SetTexture(ripplesId, ripples);
             Material.SetTexture(laceId, lace);
             Select(frame, viewer);
@@ -94,10 +102,35 @@ namespace Pelagic.Unity
 
         private void OnDisable()
         {
-            Destroy(mesh);
+            if (mesh != null) Destroy(mesh);
+            mesh = null;
+            Quadtree = null;
+            built = default;
             Destroy(ripples);
             Destroy(lace);
-            described = null;
+        }
+
+        private string FirstProblem()
+        {
+            if (Source == null) return "Source is none, expected an OceanBehaviour";
+            if (Camera == null) return "Camera is none, expected the camera that sees the sea";
+            if (Sun == null) return "Sun is none, expected a directional light";
+            if (Material == null) return "Material is none, expected one with the shader Pelagic/Ocean";
+            if (Source.HasFrame && Source.Frame.CascadeCount != Cascades) return $"the sea of '{Source.name}' has {Source.Frame.CascadeCount} cascades, expected {Cascades}";
+            if (!(SizeM >= 256 && SizeM <= 8192)) return $"SizeM is {SizeM}, expected a value in [256, 8192]";
+            if (PatchVertices < 2 || PatchVertices > 128 || PatchVertices % 2 != 0) return $"PatchVertices is {PatchVertices}, expected an even number in [2, 128]";
+            if (!(LodScale >= 0.75f && LodScale <= 8)) return $"LodScale is {LodScale}, expected a value in [0.75, 8]";
+            return null;
+        }
+
+        /// <summary>Makes patches of the sizes that the fields have.</summary>
+        private void Build()
+        {
+            if (built.SizeM == SizeM && built.PatchVertices == PatchVertices && built.LodScale == LodScale) return;
+            if (mesh != null) Destroy(mesh);
+            Quadtree = new Quadtree(SizeM, PatchVertices, LodScale);
+            mesh = PatchMesh(PatchVertices);
+            built = (SizeM, PatchVertices, LodScale);
         }
 
         /// <summary>Sets what depends on the frame and on the viewer's x and z in the sea.</summary>
@@ -116,7 +149,7 @@ namespace Pelagic.Unity
                                   cascade.Cosine / side, cascade.Sine / side);
                 scale[i] = Vector(1 / texelM, Math.Log(longestWaveM / texelM, 2), side, 0);
                 // The last level has averaged away all waves: green and blue are their variance.
-                var last = cascade.MomentsRgba8[cascade.LevelOffset(cascade.Levels - 1)];
+                var last = Source.Moments.GetPixelData<uint>(cascade.Levels - 1, i)[0];
                 slope[i] = Vector(cascade.SlopeRange, cascade.VarianceRange, ((last >> 8 & 255) + (last >> 16 & 255)) / 255.0 * cascade.VarianceRange, 0);
                 if (i < FoamCascades)
                     foamCascade[i] = Vector(cascade.DriftColumns / cascade.Resolution, cascade.DriftRows / cascade.Resolution, cascade.CompressionScale,
@@ -132,7 +165,7 @@ namespace Pelagic.Unity
             Material.SetVectorArray(foamAgeId, foamAge);
             Material.SetVector(foamKindId, new Vector4(frame.FoamLevel, 0, 0, 0));
             Material.SetVector(foamFrontId, new Vector4(frame.Cascade(0).CompressionFrontX, frame.Cascade(0).CompressionFrontZ, 0, 0));
-            Material.SetVector(wavesId, Vector(Math.Max(0.05, waveHeightM), frame.Roughness, 0, 0));
+            Material.SetVector(wavesId, Vector(Math.Max(0.05, frame.WaveHeightM), frame.Roughness, 0, 0));
 
             // Ripples run downwind at the speed of deep-water waves of a tenth of their period, and repeat in a loop.
             double loop = Fraction(frame.TimeS / sea.LoopPeriodS), rippleM = Math.Max(6 * texelM, DetailTextures.RipplesM), angle = sea.WindDirectionRad + 0.21;
@@ -186,6 +219,8 @@ namespace Pelagic.Unity
 
         private void Select(in Frame frame, Vector3 viewer)
         {
+            // The quadtree's heights begin at still water.
+            var level = frame.Water.SeaLevelM;
             GeometryUtility.CalculateFrustumPlanes(Camera.cullingMatrix, planes);
             for (var i = 0; i < planes.Length; ++i)
             {
@@ -193,9 +228,9 @@ namespace Pelagic.Unity
                 planesOfSea[4 * i] = normal.x;
                 planesOfSea[4 * i + 1] = normal.y;
                 planesOfSea[4 * i + 2] = -normal.z;
-                planesOfSea[4 * i + 3] = planes[i].distance;
+                planesOfSea[4 * i + 3] = planes[i].distance + normal.y * level;
             }
-            Quadtree.Select(viewer.x, viewer.y, -viewer.z, planesOfSea, frame.Bounds);
+            Quadtree.Select(viewer.x, viewer.y - level, -viewer.z, planesOfSea, frame.Bounds);
             Material.SetVector(gridId, Vector(Quadtree.CornerX * Quadtree.StepM - viewer.x, Quadtree.CornerZ * Quadtree.StepM + viewer.z, Quadtree.StepM, Quadtree.Vertices));
             Material.SetVector(fadeId, Vector(0, 0, Quadtree.FadeEndM, 1 / (Quadtree.FadeEndM - Quadtree.FadeStartM)));
             Material.SetVector(meshId, Vector(1 / (LodScale * Quadtree.Vertices), Quadtree.StepM, 0, Quadtree.DeepestLevel));
@@ -211,7 +246,7 @@ namespace Pelagic.Unity
                 camera = Camera,
                 layer = gameObject.layer,
                 shadowCastingMode = ShadowCastingMode.Off,
-                worldBounds = new UnityEngine.Bounds(new Vector3(viewer.x, 0, viewer.z), new Vector3(2 * SizeM, high, 2 * SizeM)),
+                worldBounds = new UnityEngine.Bounds(new Vector3(viewer.x, (float)frame.Water.SeaLevelM, viewer.z), new Vector3(2 * SizeM, high, 2 * SizeM)),
             };
             var draws = 0;
             for (var stitches = 0; stitches < 16; ++stitches)

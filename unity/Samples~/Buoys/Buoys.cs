@@ -25,7 +25,12 @@ public sealed class Buoys : MonoBehaviour
     // After the Update() of the ocean, which completes the frame.
     private void LateUpdate()
     {
-        queries = queries ?? new OceanQueries(Ocean.Ocean);
+        if (!Ocean.HasFrame) return;
+        if (queries?.Ocean != Ocean.Ocean)
+        {
+            queries?.Dispose();
+            queries = new OceanQueries(Ocean.Ocean);
+        }
         for (var i = 0; i < Objects.Length; ++i) positions[i] = Objects[i].position;
         queries.Schedule(positions, heights, normals);
         queries.Complete();
