@@ -88,9 +88,9 @@ def meta(path, is_folder, system=None):
     return "\n".join(lines + ["  userData: ", "  assetBundleName: ", "  assetBundleVariant: ", ""]).encode()
 
 
-def page_of_package():
-    """The page for users, without links into the source tree."""
-    text = (SOURCE / "docs/integrations/unity.md").read_text()
+def without_links(page):
+    """A page for users, without links into the source tree."""
+    text = (SOURCE / page).read_text()
     return re.sub(r"\[([^\]]+)\]\((?![a-z]+:)[^)]+\)", r"\1", text)
 
 
@@ -104,7 +104,8 @@ def contents(libraries):
              "README.md": (HERE / "README.md").read_bytes(),
              "LICENSE.md": (SOURCE / "LICENSE").read_bytes(),
              "Third Party Notices.md": (SOURCE / "NOTICE").read_bytes(),
-             "Documentation~/pelagic.md": page_of_package().encode()}
+             "Documentation~/pelagic.md": without_links("unity/Documentation~/pelagic.md").encode(),
+             "Documentation~/engines.md": without_links("docs/integrations/unity.md").encode()}
     for folder in ("Runtime", "Editor", "Samples~"):
         for file in sorted((HERE / folder).rglob("*")):
             if file.is_file():

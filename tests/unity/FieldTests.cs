@@ -273,6 +273,30 @@ public static class FieldTests
         Check.Throws<InvalidOperationException>(() => behaviour.TransitionTo(Storm(), 1), "no ocean");
     }
 
+    [Test]
+    public static void TheGuidesComponentChangesTheSea()
+    {
+        var behaviour = Enabled();
+        var weather = new Weather { Ocean = behaviour, Buoy = new Transform { position = new Vector3(5, 9, 6) } };
+        behaviour.Preset = "calm";
+        BehaviourTests.UpdateUntil(behaviour, () => behaviour.Sea.WindSpeedMps == Sea.Preset("calm").WindSpeedMps, "a calm");
+        BehaviourTests.Send(weather, "Start");
+        var calmM = behaviour.Frame.WaveHeightM;
+        // The storm needs another ocean, which the second update creates.
+        for (var i = 0; i < 5; ++i)
+        {
+            UnityEngine.Time.timeAsDouble += i < 2 ? 0.01 : 300;
+            BehaviourTests.Send(behaviour, "Update");
+        }
+        BehaviourTests.Send(weather, "LateUpdate");
+        var storm = Sea.Preset("storm");
+        storm.Resolution = 32;
+        Check.True(behaviour.Sea.Equals(storm) && behaviour.Problem == null, "the sea of a storm");
+        // By the preset 8 m, of which 32 texels hold most.
+        Check.True(behaviour.Frame.WaveHeightM > 5 && calmM < 0.5 && weather.Buoy.position.y == behaviour.HeightAt(weather.Buoy.position), "a storm");
+        BehaviourTests.Send(behaviour, "OnDisable");
+    }
+
     /// <summary>A slider that moves in every frame requests many seas; the last is shown.</summary>
     [Test]
     public static void TheLastOfManySeasIsShown()

@@ -46,7 +46,7 @@ class Package(unittest.TestCase):
     def test_has_the_files_of_a_unity_package(self):
         names = self.files(self.packed())
         for name in ("package.json", "README.md", "LICENSE.md", "Third Party Notices.md", "Runtime/Pelagic.asmdef", "Runtime/Native.g.cs", "Runtime/Unity/Pelagic.Unity.asmdef",
-                     "Samples~/FrameLoop/FrameLoop.cs", "Documentation~/pelagic.md"):
+                     "Samples~/FrameLoop/FrameLoop.cs", "Documentation~/pelagic.md", "Documentation~/engines.md", "Editor/Pelagic.Unity.Editor.asmdef", "Samples~/FirstSea/FirstSea.unity"):
             self.assertIn(name, names)
         manifest = json.loads(names["package.json"])
         defined = dict(re.findall(r"#define PELAGIC_VERSION_(\w+) (\d+)", (SOURCE / "capi/pelagic.h").read_text()))

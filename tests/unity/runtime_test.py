@@ -7,6 +7,7 @@ usage: runtime_test.py C_COMPILER LIBRARY PELAGIC OUTPUT_FOLDER [TEST...]
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -71,8 +72,10 @@ def main():
     build(core, runtime.glob("*.cs"))
     build(engine, [stubs])
     build(component, (runtime / "Unity").glob("*.cs"), core, engine)
+    guide = folder / "Guide.cs"
+    guide.write_text("\n".join(re.findall(r"```csharp\n(.*?)```", (SOURCE / "unity/Documentation~/pelagic.md").read_text(), re.S)))
     build(editor, (SOURCE / "unity/Editor").glob("*.cs"), core, engine, component)
-    build(folder / "Tests.exe", [*(SOURCE / "unity/Samples~").rglob("*.cs"), *(set(here.glob("*.cs")) - {stubs})], core, engine, component, editor)
+    build(folder / "Tests.exe", [*(SOURCE / "unity/Samples~").rglob("*.cs"), guide, *(set(here.glob("*.cs")) - {stubs})], core, engine, component, editor)
     (folder / "expected.txt").write_text("\n".join([*expected_lines(compiler), *quadtree_lines(program, folder)]) + "\n")
     environment = os.environ | {"LD_LIBRARY_PATH": str(pathlib.Path(library).parent)}
     run = ["mono", folder / "Tests.exe", folder / "expected.txt"]

@@ -141,7 +141,8 @@ namespace Pelagic.Unity
         /// <summary>
         /// Changes the sea to another over a time in seconds, (0, 1e9], from the next Update() on. Resolution, number of
         /// cascades, depth, loop period and seed stay. Fields keep their values: a field that changes later requests the
-        /// sea of the fields again. Throws a PelagicException for an invalid sea.
+        /// sea of the fields again. A sea of much longer waves needs another ocean, with longer cascades: the water jumps
+        /// once, at the start. Throws a PelagicException for an invalid sea.
         /// </summary>
         public void TransitionTo(Sea sea, double seconds)
         {
@@ -279,19 +280,20 @@ namespace Pelagic.Unity
             hasNext = false;
             try
             {
-                if (transitionS > 0) Ocean.ScheduleChange(new Change { Sea = next, FromS = Time.timeAsDouble, OverS = transitionS });
+                if (transitionS > 0) Ocean.ScheduleChange(ChangeNow());
                 else Ocean.ScheduleSea(next);
                 isComputing = transitionS == 0;
             }
             catch (PelagicException exception) when (exception.Status == Status.InvalidArgument)
             {
-                // A sea of another kind or size needs another ocean, which the next Update() creates.
-                if (transitionS > 0) Problems.Report(ref problem, exception.Message, this);
-                else needsOcean = true;
+                // A sea of another kind or size, or of longer waves, needs another ocean, which the next Update() creates.
+                needsOcean = true;
             }
         }
 
-        /// <summary>Replaces the ocean by one of Target, whose first frame is in flight.</summary>
+        private Change ChangeNow() => new Change { Sea = next, FromS = Time.timeAsDouble, OverS = transitionS };
+
+        /// <summary>Replaces the ocean by one of Target, or of the transition to it, whose first frame is in flight.</summary>
         private void Create()
         {
             Ocean created = null;
@@ -307,17 +309,18 @@ namespace Pelagic.Unity
                     var spray = SprayOptions.Default;
                     spray.Amount = SprayAmount;
                     if (Spray) ocean.Spray = spray;
-                    created = new Ocean(Target, ocean);
+                    // Cascades of a forecast have room for the waves of both seas.
+                    created = needsOcean && transitionS > 0 ? new Ocean(Sea, new[] { ChangeNow() }, 0, ocean) : new Ocean(Target, ocean);
                 }
             }
             catch (PelagicException exception)
             {
+                needsOcean = false;
                 Problems.Report(ref problem, exception.Message, this);
                 return;
             }
             OnDisable();
             Ocean = created;
-            Sea = Target;
             var info = Ocean.Info;
             for (var i = 0; i < textures.Length; ++i) textures[i] = new FrameTextures(info.Resolution, info.CascadeCount);
             if (Foam) Snapshots = FrameTextures.ArrayOf(info.Resolution, versions.Length, TextureFormat.RGBA32, true);
