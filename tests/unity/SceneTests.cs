@@ -87,7 +87,7 @@ public static class SceneTests
             {
                 OceanQueries queries = null;
                 long bytes = 0;
-                int collections = 0, first = int.MaxValue;
+                int collections = 0, first = int.MaxValue, seas = 0;
                 for (var i = 0; i < first + 1000L; ++i)
                 {
                     // Lists grow in the first frames, and methods are compiled when they are called first: those of spray at the first droplet.
@@ -97,7 +97,9 @@ public static class SceneTests
                         bytes = GC.GetAllocatedBytesForCurrentThread();
                         collections = GC.CollectionCount(0);
                     }
+                    var windMps = scene.Ocean.Sea.WindSpeedMps;
                     scene.Frame(messages);
+                    if (scene.Ocean.Sea.WindSpeedMps != windMps) ++seas;
                     queries = queries ?? new OceanQueries(scene.Ocean.Ocean);
                     queries.Schedule(positions, heights).Complete();
                     // Other seas and shifts, too: sliders and long voyages.
@@ -106,7 +108,7 @@ public static class SceneTests
                 }
                 Check.Equal(GC.GetAllocatedBytesForCurrentThread() - bytes, 0L, "bytes of 1,000 frames");
                 Check.Equal(GC.CollectionCount(0) - collections, 0, "collections");
-                Check.True(scene.Ocean.Frame.OriginXM >= 50 && scene.Ocean.Sea.Equals(scene.Ocean.Target) && scene.Ocean.Sea.WindSpeedMps >= 20, "the scene runs");
+                Check.True(scene.Ocean.Frame.OriginXM >= 50 && seas >= 10, "the scene runs");
                 queries.Dispose();
             }
             finally

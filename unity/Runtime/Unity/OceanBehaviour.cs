@@ -72,18 +72,25 @@ namespace Pelagic.Unity
         [Tooltip("Bit i lets the other threads run on CPU i. 0: all CPUs. Linux, Android and Windows only.")]
         public ulong CpuMask;
 
-        /// <summary>The options with which an ocean is created.</summary>
-        private struct Options
+        /// <summary>What the fields request: a sea, its water, and options of an ocean.</summary>
+        private struct Values
         {
+            internal Sea Sea;
+            internal WaterFrame Water;
             internal int Threads;
             internal ulong CpuMask;
             internal float SprayAmount;
             internal bool Foam, Spray, Velocities, Depth, DynamicWaves;
 
-            internal bool Equals(in Options other)
+            internal bool HasOptionsOf(in Values other)
             {
                 return Threads == other.Threads && CpuMask == other.CpuMask && SprayAmount == other.SprayAmount && Foam == other.Foam && Spray == other.Spray &&
                        Velocities == other.Velocities && Depth == other.Depth && DynamicWaves == other.DynamicWaves;
+            }
+
+            internal bool HasWaterOf(in Values other)
+            {
+                return Water.SeaLevelM == other.Water.SeaLevelM && Water.CurrentXMps == other.Water.CurrentXMps && Water.CurrentZMps == other.Water.CurrentZMps;
             }
         }
 
@@ -95,11 +102,10 @@ namespace Pelagic.Unity
         private (double X, double Z)? origin;          // of the next frames
         private (double X, double Z) shown;            // origin of Frame
         private string presetName, presetProblem, problem;
-        private Sea preset, fields, next;              // next: to be scheduled, if hasNext
-        private Options options;
-        private WaterFrame water;
-        private bool isUsable, wasRead, hasNext, isComputing, needsOcean, isInFlight;
-        private double transitionS;                    // of next; 0: all at once
+        private Sea preset;
+        private Values read, applied;                  // of the fields: in the last Update(), and those that were valid last
+        private double transitionEndS;                 // of the transition to Target
+        private bool isUsable, wasRead, hasNext, isComputing, needsOcean, isInFlight;  // hasNext: Target is not scheduled yet
 
         /// <summary>Null while the component is disabled, and if a field is invalid.</summary>
         public Ocean Ocean { get; private set; }
@@ -208,6 +214,7 @@ namespace Pelagic.Unity
             if (Ocean == null) return;
             if (!isInFlight) Schedule();  // after an exception
             isInFlight = false;
+            var ready = Stopwatch.GetTimestamp();
             Frame = Ocean.Complete();
             var completed = Stopwatch.GetTimestamp();
             HasFrame = true;
@@ -221,7 +228,7 @@ namespace Pelagic.Unity
             BetweenFrames?.Invoke();
             var resumed = Stopwatch.GetTimestamp();
             Schedule();
-            WaitMs = Milliseconds(completed - began);
+            WaitMs = Milliseconds(completed - ready);
             UpdateMs = Milliseconds(done - began + Stopwatch.GetTimestamp() - resumed);
         }
 
@@ -246,26 +253,24 @@ namespace Pelagic.Unity
         /// <summary>Requests the sea of the fields if they have changed, or creates an ocean if it needs another.</summary>
         private void ReadFields()
         {
-            var wanted = new Options
+            var wanted = new Values
             {
-                Threads = Threads, CpuMask = CpuMask, SprayAmount = SprayAmount, Foam = Foam, Spray = Spray, Velocities = Velocities, Depth = Depth, DynamicWaves = DynamicWaves,
+                Sea = SeaOfFields(), Water = new WaterFrame { SeaLevelM = SeaLevelM, CurrentXMps = CurrentMps.x, CurrentZMps = -CurrentMps.y }, Threads = Threads,
+                CpuMask = CpuMask, SprayAmount = SprayAmount, Foam = Foam, Spray = Spray, Velocities = Velocities, Depth = Depth, DynamicWaves = DynamicWaves,
             };
-            var still = new WaterFrame { SeaLevelM = SeaLevelM, CurrentXMps = CurrentMps.x, CurrentZMps = -CurrentMps.y };
-            var sea = SeaOfFields();
-            bool hasSea = wasRead && AreEqual(sea, fields), hasOptions = wasRead && wanted.Equals(options);
-            var hasWater = still.SeaLevelM == water.SeaLevelM && still.CurrentXMps == water.CurrentXMps && still.CurrentZMps == water.CurrentZMps;
-            if (hasSea && hasOptions && hasWater && !needsOcean) return;
-            (fields, options, wasRead) = (sea, wanted, true);
+            if (wasRead && !needsOcean && AreEqual(wanted.Sea, read.Sea) && wanted.HasWaterOf(read) && wanted.HasOptionsOf(read)) return;
+            (read, wasRead) = (wanted, true);
             Problems.Report(ref problem, Check(out _), this);
             if (problem != null) return;
-            water = still;
-            if (!hasSea) Request(sea, 0);
-            if (!hasOptions || needsOcean) Create();
+            var isOther = Ocean == null || needsOcean || !wanted.HasOptionsOf(applied);
+            if (Ocean == null || !AreEqual(wanted.Sea, applied.Sea)) Request(wanted.Sea, 0);
+            applied = wanted;
+            if (isOther) Create();
         }
 
         private void Request(in Sea sea, double seconds)
         {
-            (Target, next, transitionS, hasNext) = (sea, sea, seconds, true);
+            (Target, transitionEndS, hasNext) = (sea, Time.timeAsDouble + seconds, true);
         }
 
         /// <summary>Between frames: makes a sea that has been computed current, and starts with the next.</summary>
@@ -280,9 +285,9 @@ namespace Pelagic.Unity
             hasNext = false;
             try
             {
-                if (transitionS > 0) Ocean.ScheduleChange(ChangeNow());
-                else Ocean.ScheduleSea(next);
-                isComputing = transitionS == 0;
+                if (IsInTransition) Ocean.ScheduleChange(RestOfTransition());
+                else Ocean.ScheduleSea(Target);
+                isComputing = !IsInTransition;
             }
             catch (PelagicException exception) when (exception.Status == Status.InvalidArgument)
             {
@@ -291,8 +296,9 @@ namespace Pelagic.Unity
             }
         }
 
-        private Change ChangeNow() => new Change { Sea = next, FromS = Time.timeAsDouble, OverS = transitionS };
+        private bool IsInTransition => transitionEndS > Time.timeAsDouble;
 
+        private Change RestOfTransition() => new Change { Sea = Target, FromS = Time.timeAsDouble, OverS = transitionEndS - Time.timeAsDouble };
         /// <summary>Replaces the ocean by one of Target, or of the transition to it, whose first frame is in flight.</summary>
         private void Create()
         {
@@ -310,7 +316,7 @@ namespace Pelagic.Unity
                     spray.Amount = SprayAmount;
                     if (Spray) ocean.Spray = spray;
                     // Cascades of a forecast have room for the waves of both seas.
-                    created = needsOcean && transitionS > 0 ? new Ocean(Sea, new[] { ChangeNow() }, 0, ocean) : new Ocean(Target, ocean);
+                    created = IsInTransition ? new Ocean(Sea, new[] { RestOfTransition() }, 0, ocean) : new Ocean(Target, ocean);
                 }
             }
             catch (PelagicException exception)
@@ -321,6 +327,7 @@ namespace Pelagic.Unity
             }
             OnDisable();
             Ocean = created;
+            if (!IsInTransition) Sea = Target;
             var info = Ocean.Info;
             for (var i = 0; i < textures.Length; ++i) textures[i] = new FrameTextures(info.Resolution, info.CascadeCount);
             if (Foam) Snapshots = FrameTextures.ArrayOf(info.Resolution, versions.Length, TextureFormat.RGBA32, true);
@@ -335,8 +342,8 @@ namespace Pelagic.Unity
         private void Schedule()
         {
             if (origin != null) Ocean.SetOrigin(origin.Value.X, origin.Value.Z);
-            Ocean.SetWaterFrame(water);
-            if (Spray)
+            Ocean.SetWaterFrame(applied.Water);
+            if (applied.Spray)
             {
                 var center = SprayCenter == null ? default : SprayCenter.position;
                 Ocean.SetSprayCenter(center.x, -center.z);
