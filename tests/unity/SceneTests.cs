@@ -26,12 +26,14 @@ public static class SceneTests
             Ocean = new OceanBehaviour { Preset = "storm", Resolution = 32, Depth = true, DynamicWaves = true, Spray = true, Velocities = true, Threads = 2, SprayAmount = 10 };
             var camera = new Camera();
             camera.transform.position = new Vector3(0, 3, 0);
-            camera.cullingMatrix = new Matrix4x4 { Row0 = new Vector4(1, 0, 0, 0), Row1 = new Vector4(0, 1, 0, -3), Row2 = new Vector4(0, 0, 1, -0.2f), Row3 = new Vector4(0, 0, 1, 0) };
+            camera.cullingMatrix = new Matrix4x4
+            {
+                Row0 = new Vector4(1, 0, 0, 0), Row1 = new Vector4(0, 1, 0, -3), Row2 = new Vector4(0, 0, 1, -0.2f), Row3 = new Vector4(0, 0, 1, 0),
+            };
             var sun = new Light { color = new Color(1, 1, 1, 1), intensity = 1 };
             sun.transform.forward = new Vector3(0.6f, -0.8f, 0);
             Surface = new OceanSurface { Source = Ocean, Camera = camera, Sun = sun, Material = new Material() };
-            var mesh = new Mesh { vertices = BodiesTests.Vertices.Select((_, i) => i).Where(i => i % 3 == 0).Select(i => new Vector3((float)BodiesTests.Vertices[i + 2], (float)BodiesTests.Vertices[i + 1], (float)BodiesTests.Vertices[i])).ToArray(),
-                                  triangles = BodiesTests.Triangles.Reverse().Select(number => (int)number).ToArray() };
+            var mesh = OceanFloatingTests.Mesh();
             Alone = new OceanFloating { Ocean = Ocean, Mesh = mesh, MassKg = 2500 };
             Forced = new OceanFloating { Ocean = Ocean, Mesh = mesh, MassKg = 2500, Body = Body };
             foreach (var floating in new[] { Alone, Forced }) floating.transform.forward = new Vector3(0, 0, 1);
@@ -43,12 +45,16 @@ public static class SceneTests
         // Send() uses reflection, which allocates.
         private static Action Message(MonoBehaviour component, string name)
         {
-            return (Action)Delegate.CreateDelegate(typeof(Action), component, component.GetType().GetMethod(name, System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic));
+            return (Action)Delegate.CreateDelegate(typeof(Action), component, name);
         }
 
         internal Action[] Messages()
         {
-            return new[] { Message(Alone, "FixedUpdate"), Message(Forced, "FixedUpdate"), Message(Ocean, "Update"), Message(Origin, "Update"), Message(Surface, "LateUpdate"), Message(Spray, "LateUpdate") };
+            return new[]
+            {
+                Message(Alone, "FixedUpdate"), Message(Forced, "FixedUpdate"), Message(Ocean, "Update"), Message(Origin, "Update"), Message(Surface, "LateUpdate"),
+                Message(Spray, "LateUpdate"),
+            };
         }
 
         internal void Enable()
@@ -167,7 +173,8 @@ public static class SceneTests
     {
         var scene = new Scene();
         BehaviourTests.Send(scene.Ocean, "OnEnable");
-        foreach (var component in new MonoBehaviour[] { scene.Ocean, scene.Alone, scene.Forced, scene.Ocean }) BehaviourTests.Send(component, component == scene.Ocean ? "Update" : "FixedUpdate");
+        foreach (var component in new MonoBehaviour[] { scene.Ocean, scene.Alone, scene.Forced, scene.Ocean })
+            BehaviourTests.Send(component, component == scene.Ocean ? "Update" : "FixedUpdate");
     }
 
     /// <summary>As after a change of scripts; Unity disables components first, and here none is disabled.</summary>

@@ -106,6 +106,15 @@ class Package(unittest.TestCase):
             self.assertEqual(len(found.stderr.splitlines()), 1)
             self.assertFalse((self.folder / "out").exists())
 
+    def test_each_stub_has_a_link_to_its_signature(self):
+        text = (SOURCE / "tests/unity/Stubs.cs").read_text()
+        reference = "https://docs.unity3d.com/2022.3/Documentation/ScriptReference/"
+        types = re.findall(r"((?:^ *///.*\n|^ *\[.*\n)*)^ +public (?:static |sealed |unsafe |readonly )*(?:class|struct|enum|interface) (\w+)", text, re.M)
+        self.assertGreater(len(types), 60)
+        for comment, name in types:
+            if name != "ShaderValues":
+                self.assertRegex(comment, rf"<summary>{reference}(\w+\.)*{name}\w*([.-]\w+)?\.html</summary>", name)
+
     # ---- Scenes, prefabs and materials ---------------------------------------------------------
 
     # Unity's own assets, by file number: https://docs.unity3d.com/2022.3/Documentation/ScriptReference/Resources.GetBuiltinResource.html

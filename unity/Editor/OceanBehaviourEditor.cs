@@ -35,8 +35,8 @@ namespace Pelagic.Unity
                 described = wanted;
                 sea = $"Hs {statistics.ExpectedWaveHeightM:0.00} m, Tp {statistics.ExpectedPeakPeriodS:0.0} s, repeats after {statistics.RepeatsAfterM:0} m";
             }
-            EditorGUILayout.HelpBox(behaviour.HasFrame ? $"{sea}\n{behaviour.UpdateMs:0.00} ms a frame on the main thread, {behaviour.WaitMs:0.00} ms of them waiting\n{behaviour.MemoryBytes / 1e6:0.0} MB" : sea,
-                                    MessageType.Info);
+            var times = $"{behaviour.UpdateMs:0.00} ms a frame on the main thread, {behaviour.WaitMs:0.00} ms of them waiting";
+            EditorGUILayout.HelpBox(behaviour.HasFrame ? $"{sea}\n{times}\n{behaviour.MemoryBytes / 1e6:0.0} MB" : sea, MessageType.Info);
         }
     }
 }

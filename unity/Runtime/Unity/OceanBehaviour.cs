@@ -305,12 +305,10 @@ namespace Pelagic.Unity
             Ocean created = null;
             try
             {
-                using (var executor = new Executor(new ExecutorOptions { Kind = Threads == 1 ? ExecutorKind.Serial : ExecutorKind.Threads, Threads = Threads == 1 ? 0 : Threads, CpuMask = CpuMask }))
+                using (var executor = new Executor(new ExecutorOptions { Kind = ExecutorKind.Threads, Threads = Threads, CpuMask = CpuMask }))
                 {
-                    var ocean = new OceanOptions
-                    {
-                        Executor = executor, Queries = true, Velocities = Velocities ? Pelagic.Velocities.Drawn : Pelagic.Velocities.None, Depth = Depth, Slopes = Pelagic.Textures.On, Foam = Foam,
-                    };
+                    var ocean = new OceanOptions { Executor = executor, Queries = true, Depth = Depth, Slopes = Pelagic.Textures.On, Foam = Foam };
+                    if (Velocities) ocean.Velocities = Pelagic.Velocities.Drawn;
                     if (DynamicWaves) ocean.DynamicWaves = DynamicWavesOptions.Default;
                     var spray = SprayOptions.Default;
                     spray.Amount = SprayAmount;
