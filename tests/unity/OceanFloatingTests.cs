@@ -286,6 +286,43 @@ public static class OceanFloatingTests
         }
     }
 
+    /// <summary>A frame 0.3 of a step after a step shows 0.3 of the way from the step before, also where the origin has shifted.</summary>
+    [Test]
+    public static void AHullAloneIsShownBetweenItsSteps()
+    {
+        UnityEngine.Time.timeAsDouble = 2;
+        UnityEngine.Time.fixedDeltaTime = timeStepS;
+        var behaviour = new OceanBehaviour { Preset = "storm", Resolution = 32, Foam = false, Depth = true };
+        var floating = new OceanFloating { Ocean = behaviour, Mesh = Mesh(), MassKg = massKg };
+        floating.transform.forward = new Vector3(0, 0, 1);
+        BehaviourTests.Send(behaviour, "OnEnable");
+        BehaviourTests.Send(behaviour, "Update");
+        var places = new Vector3[3];
+        var bows = new Vector3[3];
+        for (var i = 0; i < 20; ++i)
+        {
+            BehaviourTests.Send(floating, "FixedUpdate");
+            places[0] = places[1];
+            bows[0] = bows[1];
+            places[1] = floating.transform.position;
+            bows[1] = floating.transform.rotation * new Vector3(0, 0, 1);
+        }
+        UnityEngine.Time.fixedTimeAsDouble = 2;
+        UnityEngine.Time.timeAsDouble = 2 + 0.3 * timeStepS;
+        foreach (var toXM in new[] { 0, 1000 })
+        {
+            behaviour.SetOrigin(toXM, 0);
+            for (var i = 0; i < 2; ++i) BehaviourTests.Send(behaviour, "Update");
+            BehaviourTests.Send(floating, "Update");
+            places[2] = floating.transform.position;
+            bows[2] = floating.transform.rotation * new Vector3(0, 0, 1);
+            Vector3 away = places[2] - places[0] - (places[1] - places[0]) * 0.3f, turned = bows[2] - bows[0] - (bows[1] - bows[0]) * 0.3f;
+            Check.True(Length(away + new Vector3(toXM, 0, 0)) < 1e-4 && Length(turned) < 1e-4 && Length(places[1] - places[0]) > 0.01, $"{Length(away)} m");
+        }
+        BehaviourTests.Send(floating, "OnDisable");
+        BehaviourTests.Send(behaviour, "OnDisable");
+    }
+
     /// <summary>Unity's cube of 1 m, whose faces share no vertices, as in the sample's prefab; wound clockwise as seen from outside, in left-handed axes.</summary>
     private static Mesh Cube()
     {

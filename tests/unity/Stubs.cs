@@ -174,6 +174,8 @@ namespace UnityEngine
         public static Vector3 operator -(Vector3 a, Vector3 b) => new Vector3(a.x - b.x, a.y - b.y, a.z - b.z);
         public static Vector3 operator *(Vector3 a, float d) => new Vector3(a.x * d, a.y * d, a.z * d);
 
+        public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => a + (b - a) * Math.Max(0, Math.Min(t, 1));
+
         public static Vector3 Cross(Vector3 lhs, Vector3 rhs)
         {
             return new Vector3(lhs.y * rhs.z - lhs.z * rhs.y, lhs.z * rhs.x - lhs.x * rhs.z, lhs.x * rhs.y - lhs.y * rhs.x);
@@ -220,6 +222,16 @@ namespace UnityEngine
         {
             var scale = 0.5 / Math.Sqrt(square);
             return new Quaternion((float)(x * scale), (float)(y * scale), (float)(z * scale), (float)(w * scale));
+        }
+
+        public static Quaternion Slerp(Quaternion a, Quaternion b, float t)
+        {
+            t = Math.Max(0, Math.Min(t, 1));
+            var cosine = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+            if (cosine < 0) b = new Quaternion(-b.x, -b.y, -b.z, -b.w);
+            var angle = Math.Acos(Math.Min(Math.Abs(cosine), 1));
+            double sine = Math.Sin(angle), first = sine < 1e-4 ? 1 - t : Math.Sin((1 - t) * angle) / sine, second = sine < 1e-4 ? t : Math.Sin(t * angle) / sine;
+            return new Quaternion((float)(first * a.x + second * b.x), (float)(first * a.y + second * b.y), (float)(first * a.z + second * b.z), (float)(first * a.w + second * b.w));
         }
 
         public static Quaternion AngleAxis(float angle, Vector3 axis)

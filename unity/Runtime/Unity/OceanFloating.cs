@@ -8,7 +8,7 @@ namespace Pelagic.Unity
     /// Time.fixedDeltaTime in the frame completed last. In an ocean with DynamicWaves it makes a wake. Where that frame
     /// has another origin than the one before, the hull moves to its place.
     ///
-    /// Without Body the component moves its transform. With Body, a Rigidbody on this object, it changes the body's
+    /// Without Body the component moves its transform, between steps too. With Body, a Rigidbody on this object, it changes the body's
     /// velocities by water, weight and Force, so that collisions, joints and forces of other components act, too; the
     /// water is then taken at the time of the step. The bow points along the transform's z axis.
     /// </summary>
@@ -39,6 +39,7 @@ namespace Pelagic.Unity
         private string problem;
         private uint number;
         private double originXM, originZM;
+        private (Vector3 Position, Quaternion Rotation) before, after;  // of the last step, without Body
 
         /// <summary>The hull in the sea's axes, whose z axis is -z of the scene. Valid after the first step.</summary>
         public HullState State { get; private set; }
@@ -58,21 +59,32 @@ namespace Pelagic.Unity
             {
                 bodies.Step(stepS);
                 State = bodies.State(number);
+                before = after;
                 Place(State);
+                transform.SetPositionAndRotation(after.Position, after.Rotation);
                 return;
             }
-            var before = StateOfBody();
-            bodies.SetState(number, before);
+            var began = StateOfBody();
+            bodies.SetState(number, began);
             bodies.Step(stepS);
             State = bodies.State(number);
             // The step includes the weight.
             var gravity = Body.useGravity ? Physics.gravity : default;
-            Body.AddForce(new Vector3((float)(State.VelocityXMps - before.VelocityXMps - gravity.x * stepS), (float)(State.VelocityYMps - before.VelocityYMps - gravity.y * stepS),
-                                      (float)(before.VelocityZMps - State.VelocityZMps - gravity.z * stepS)),
+            Body.AddForce(new Vector3((float)(State.VelocityXMps - began.VelocityXMps - gravity.x * stepS), (float)(State.VelocityYMps - began.VelocityYMps - gravity.y * stepS),
+                                      (float)(began.VelocityZMps - State.VelocityZMps - gravity.z * stepS)),
                           ForceMode.VelocityChange);
-            Body.AddTorque(new Vector3((float)(before.AngularVelocityXRadps - State.AngularVelocityXRadps), (float)(before.AngularVelocityYRadps - State.AngularVelocityYRadps),
-                                       (float)(State.AngularVelocityZRadps - before.AngularVelocityZRadps)),
+            Body.AddTorque(new Vector3((float)(began.AngularVelocityXRadps - State.AngularVelocityXRadps), (float)(began.AngularVelocityYRadps - State.AngularVelocityYRadps),
+                                       (float)(State.AngularVelocityZRadps - began.AngularVelocityZRadps)),
                            ForceMode.VelocityChange);
+        }
+
+        /// <summary>Shows the hull between its last two steps, as an interpolated Rigidbody.</summary>
+        private void Update()
+        {
+            if (bodies == null || Body != null || Ocean == null || !Ocean.HasFrame) return;
+            FollowOrigin();
+            var fraction = (float)((Time.timeAsDouble - Time.fixedTimeAsDouble) / Time.fixedDeltaTime);
+            transform.SetPositionAndRotation(Vector3.Lerp(before.Position, after.Position, fraction), Quaternion.Slerp(before.Rotation, after.Rotation, fraction));
         }
 
         /// <summary>
@@ -112,7 +124,11 @@ namespace Pelagic.Unity
         {
             var frame = Ocean.Frame;
             if (frame.OriginXM == originXM && frame.OriginZM == originZM) return;
-            bodies.Shift(originXM - frame.OriginXM, originZM - frame.OriginZM);
+            double byX = originXM - frame.OriginXM, byZ = originZM - frame.OriginZM;
+            bodies.Shift(byX, byZ);
+            var by = new Vector3((float)byX, 0, -(float)byZ);
+            before.Position += by;
+            after.Position += by;
             (originXM, originZM) = (frame.OriginXM, frame.OriginZM);
         }
 
@@ -164,6 +180,8 @@ namespace Pelagic.Unity
             bodies = set;
             (originXM, originZM) = (Ocean.Frame.OriginXM, Ocean.Frame.OriginZM);
             unpressedS = 0;
+            Place(rest);
+            before = after;
             if (Body != null)
             {
                 Body.mass = MassKg;
@@ -194,6 +212,7 @@ namespace Pelagic.Unity
             return new Hull(verticesM, triangles, new HullOptions(massKg));
         }
 
+        /// <summary>Computes the transform of a state.</summary>
         private void Place(in HullState state)
         {
             double x = state.OrientationX, y = state.OrientationY, z = state.OrientationZ, w = state.OrientationW;
@@ -206,7 +225,7 @@ namespace Pelagic.Unity
                                      (float)(state.PositionYM - bowY * forward - upY * above - starboardY * starboard),
                                      -(float)(state.PositionZM - bowZ * forward - upZ * above - starboardZ * starboard));
             var rotation = Quaternion.LookRotation(new Vector3((float)bowX, (float)bowY, -(float)bowZ), new Vector3((float)upX, (float)upY, -(float)upZ));
-            transform.SetPositionAndRotation(origin, rotation);
+            after = (origin, rotation);
         }
     }
 }
