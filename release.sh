@@ -35,7 +35,7 @@ elif [ -n "$ndk" ]; then
   echo "release.sh: --ndk is for the part android, given ${parts[*]}" >&2 && exit 2
 fi
 
-packages=(git python3)
+packages=(git python3-venv)
 earlier=
 for part in "${parts[@]}"; do
   case $part in
@@ -89,5 +89,10 @@ if [ -n "$twice" ]; then
   echo "Both builds have the same bytes."
 fi
 packaging/bill_of_materials.py dist "$clone"
+if /usr/bin/python3 -m venv build/spdx-tools && build/spdx-tools/bin/pip install -q 'spdx-tools>=0.8' 2>/dev/null; then
+  build/spdx-tools/bin/pyspdxtools -i dist/*.spdx.json
+else
+  echo "The bill of materials was not validated, because spdx-tools of PyPI is out of reach."
+fi
 (cd dist && sha256sum -- * >SHA256SUMS)
 ls -l dist
