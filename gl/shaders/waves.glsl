@@ -51,16 +51,18 @@ const float signed_scale = 255.0 / 127.0, signed_zero = 128.0 / 127.0;
 
 // Returns a cascade's texture coordinates of a pixel.
 //
-// Where many periods of a cascade are in view, its waves visibly repeat. Beyond one side of the
-// coarsest cascade, and two of the next, their places are therefore displaced along the wind. The sum
-// of four sines, with 10 to 12 waves in the period of cascade_noise, differs from period to period by
-// more than a quarter of the waves that show. It changes wavelengths by about a tenth, and moves foam
-// with the waves.
+// Where many periods of a cascade are in view, its waves visibly repeat. Places in both coarser
+// cascades are therefore displaced along the wind, beyond one side of the coarsest and two of the
+// next, but not within 700 m of low viewers, where waves of the mesh hide each other. Viewers above
+// 300 m see many periods at once. The sum of four sines, with 10 to 12 waves in the period of
+// cascade_noise, differs from period to period by more than a quarter of the waves that show. It
+// changes wavelengths by about a tenth, and moves foam with the waves.
 vec2 place_of_pixel(int cascade, vec2 at, float distance_m) {
     vec2 uv = place_in_cascade(cascade, at);
 #if CASCADES > 1
     if (cascade > 1) return uv;
-    float far = smoothstep(1.0, 2.0, distance_m / (float(cascade + 1) * cascade_scale[cascade].z));
+    float far = smoothstep(1.0, 2.0, (distance_m + 1.5 * max(viewer.z, 0.0)) /
+                                     max(float(cascade + 1) * cascade_scale[cascade].z, 700.0));
     if (far <= 0.0) return uv;
     vec2 turns = cascade_noise[cascade].xy + rotated_into_cascade(cascade, at) * cascade_noise[cascade].z;
     vec4 bends = sin(6.2831853 * (vec4(12.0, 3.0, -2.0, -10.0) * turns.x + vec4(2.0, 10.0, 12.0, 3.0) * turns.y));
