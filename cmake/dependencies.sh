@@ -52,7 +52,7 @@ command -v npm >/dev/null || pelagic_platform_packages+=(npm)
 # Packages for nightly tests: a game engine, with a window (for xvfb-run, which needs xauth) and
 # without; schedulers of docs/render-farm.md, and readers of textures and films of
 # docs/integrations/unity.md.
-pelagic_night_packages=(godot3 godot3-server xauth slurm-wlm parallel python3-yaml procps libnvtt-bin ffmpeg python3-pil python3-openimageio)
+pelagic_night_packages=(llvm-14 file godot3 godot3-server xauth slurm-wlm parallel python3-yaml procps libnvtt-bin ffmpeg python3-pil python3-openimageio)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   packages in addition to pelagic_packages
 pelagic_install_dependencies() {
