@@ -363,8 +363,9 @@ typedef struct pelagic_executor_options {
     uint32_t struct_size;
     int32_t kind; /* PELAGIC_EXECUTOR_... */
     /* Maximum number of threads that work on a frame, the completing thread included; [0, 1024]. With 1 complete()
-     * does all work. 0: one per CPU that the process may use by its affinity and its quota; of
-     * PELAGIC_EXECUTOR_THREADS with a mask, of these the CPUs of the mask; of PELAGIC_EXECUTOR_APPLICATION, 1. */
+     * does all work. 0, or more: one per CPU that the calling thread may use by its affinity and its process's quota;
+     * of PELAGIC_EXECUTOR_THREADS with a mask, of these the CPUs of the mask. PELAGIC_EXECUTOR_APPLICATION: 0 is 1,
+     * and no number is too large. */
     int32_t threads;
     /* For PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i lets its threads run on CPU i; 0: all. */
     uint64_t cpu_mask;
@@ -385,7 +386,7 @@ PELAGIC_API pelagic_status pelagic_executor_create(const pelagic_executor_option
 PELAGIC_API void pelagic_executor_destroy(pelagic_executor* executor);
 
 /* Sets how long threads look for work before they sleep. 0 saves battery; then frames take longer. Has no effect on
- * executors without threads of their own, or with more threads than cores.
+ * executors without threads of their own.
  * us: microseconds; [0, 1000]; 20 at first. Threads: any. */
 PELAGIC_API pelagic_status pelagic_executor_set_spin_us(pelagic_executor* executor, int32_t us);
 

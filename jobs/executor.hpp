@@ -68,8 +68,8 @@ class Executor {
     virtual std::string_view name() const = 0;
 
     /// Sets how long threads look for work before they sleep. 0 saves battery; then frames with
-    /// several stages take longer. Has no effect on executors without threads of their own, or with
-    /// more threads than CPUs. oneTBB's own threads look for work for a while longer.
+    /// several stages take longer. Has no effect on executors without threads of their own.
+    /// oneTBB's own threads look for work for a while longer.
     /// \param us  microseconds, 0 to 1000; default_spin_us at first
     /// \throws std::invalid_argument  if `us` is out of range
     virtual void set_spin_us(int us) { static_cast<void>(us); }
@@ -81,15 +81,16 @@ inline constexpr int default_spin_us = 20;
 /// Creates an executor without threads: complete() does all work on the calling thread, in order.
 std::shared_ptr<Executor> make_serial_executor();
 
-/// Returns the number of threads that the executors below start for 0: one per CPU that this process
-/// may use by its affinity and its quota of CPU time (Linux control groups), rounded up. More
-/// threads than that delay each other.
+/// Returns the number of threads that the executors below start for 0, and the largest number that
+/// they start: one per CPU that the calling thread may use by its affinity and by the process's
+/// quota of CPU time (Linux control groups), rounded up. More threads would delay each other.
 int default_thread_count();
 
 /// Creates a thread pool, for builds without oneTBB and for ThreadSanitizer. Threads have stacks of
 /// 2 MiB, independent of the system's default.
-/// \param threads  number of threads including the one that calls complete(); 0 to 1024. 0:
-///                 default_thread_count(); 1: starts no thread, and complete() does all work.
+/// \param threads  number of threads including the one that calls complete(); 0 to 1024. 0, or more
+///                 than default_thread_count(): that number; 1: starts no thread, and complete()
+///                 does all work.
 /// \throws std::invalid_argument  if `threads` is out of range
 /// \throws std::system_error      if the system does not create the threads: "8 threads are
 ///                                requested, but the system provides 3: ..."
@@ -100,7 +101,8 @@ std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 /// reserve cores for the application. Linux, Android and Windows only.
 /// \param cpu_mask  bit i allows CPU i; 0 allows all. The thread that calls complete() belongs to
 ///                  the application and is not restricted.
-/// \param threads   as for make_thread_executor(), except that 0 counts CPUs of the mask only
+/// \param threads   as for make_thread_executor(), except that only CPUs of the mask count, and one
+///                  more for the calling thread unless `threads` is 0
 /// \throws std::invalid_argument  if the system does not support masks, or the process may use no
 ///                                CPU of the mask
 std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads = 0);

@@ -1,6 +1,5 @@
 // Executor on the threads of oneTBB.
 #include <oneapi/tbb/flow_graph.h>
-#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -56,32 +55,22 @@ class ArenaWorkers final : public WorkerGroup {
 // The stack size of oneTBB's workers on 64-bit systems, 4 MiB, and its guard page.
 constexpr std::size_t worker_stack_bytes = (std::size_t{4} << 20) + 64 * 1024;
 
-/// Raises oneTBB's limit, which by default is the number of cores that the process may use. The
-/// smallest of several global_control objects applies, so the program has one, with the largest
-/// count requested.
-void allow_threads(int threads) {
+/// oneTBB ends the program if the system does not create a thread. It creates threads on demand and
+/// keeps them. A count that was available once stays available unless other programs use the
+/// threads.
+void check_threads(int threads) {
     static std::mutex mutex;
-    static int allowed = tbb::info::default_concurrency();
-    static std::unique_ptr<tbb::global_control> control;
     static int proven = 1;
     const std::lock_guard lock(mutex);
-    // oneTBB ends the program if the system does not create a thread. It creates threads on demand
-    // and keeps them. A count that was available once stays available unless other programs use the
-    // threads.
-    if (threads > proven) {
-        need_threads(threads, worker_stack_bytes);
-        proven = threads;
-    }
-    if (threads <= allowed) return;
-    control.reset();
-    control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
-    allowed = threads;
+    if (threads <= proven) return;
+    need_threads(threads, worker_stack_bytes);
+    proven = threads;
 }
 
 class TbbExecutor final : public Executor {
    public:
     explicit TbbExecutor(int threads) {
-        allow_threads(threads);
+        check_threads(threads);
         workers_ = std::make_shared<ArenaWorkers>(threads);
     }
     std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override {
@@ -98,9 +87,9 @@ class TbbExecutor final : public Executor {
 }  // namespace
 
 std::shared_ptr<Executor> make_tbb_executor(int threads) {
-    const int wanted = checked_thread_count(threads);
-    // oneTBB counts the CPUs of the affinity only.
-    return std::make_shared<TbbExecutor>(threads == 0 ? std::min(wanted, tbb::info::default_concurrency()) : wanted);
+    // oneTBB has no more threads than CPUs of the affinity.
+    const int cpus = std::min(default_thread_count(), tbb::info::default_concurrency());
+    return std::make_shared<TbbExecutor>(checked_thread_count(threads, cpus));
 }
 
 }  // namespace pelagic

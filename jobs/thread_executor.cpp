@@ -90,9 +90,10 @@ class ThreadExecutor final : public Executor {
 std::shared_ptr<Executor> make_thread_executor(int threads) { return make_thread_executor_on(0, threads); }
 
 std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads) {
-    const int wanted = checked_thread_count(threads);
-    const int cpus = checked_cpus(cpu_mask);
-    return std::make_shared<ThreadExecutor>(threads == 0 && cpu_mask != 0 ? std::min(cpus, wanted) : wanted, cpu_mask);
+    int cpus = default_thread_count();
+    // The calling thread may work on a CPU outside of the mask.
+    if (cpu_mask != 0) cpus = std::min(cpus, checked_cpus(cpu_mask) + (threads != 0));
+    return std::make_shared<ThreadExecutor>(checked_thread_count(threads, cpus), cpu_mask);
 }
 
 }  // namespace pelagic

@@ -18,15 +18,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr Clock::rep ticks_of_us(int us) { return Clock::duration(std::chrono::microseconds(us)).count(); }
 
-/// First estimates, of a desktop processor that is idle.
-constexpr Clock::rep usual_wake_cost = ticks_of_us(5), usual_wake_delay = ticks_of_us(40);
-
 /// Runs that follow each other within the time of spinning are a series after this number. A paced
 /// application has at most a few in a row, one for each of its graphs.
 constexpr int runs_of_a_series = 8;
-
-/// A worker has the data of a frame in its caches after each slot of frames has been used twice.
-constexpr int runs_until_warm = 4;
 
 Clock::rep now() { return Clock::now().time_since_epoch().count(); }
 
@@ -38,17 +32,6 @@ void pause() {
     __asm__ __volatile__("yield");
 #endif
 }
-
-/// Moves an estimate towards a sample. Limits the weight of a sample that is much too large because
-/// the thread was preempted.
-void adjust(std::atomic<Clock::rep>& estimate, Clock::rep sample) {
-    const Clock::rep before = estimate;
-    if (sample > 0) estimate = before == 0 ? sample : before + (std::min(sample, 2 * before) - before) / 4;
-}
-
-/// Decreases the estimate of a choice that has not been made, so that it is measured again after
-/// some hundreds of runs.
-void fade(std::atomic<Clock::rep>& estimate) { estimate -= estimate / 256; }
 
 }  // namespace
 
@@ -85,16 +68,13 @@ class WorkerGroup::BoundRun final : public GraphRun {
     std::shared_ptr<Run> run_;
 };
 
-WorkerGroup::WorkerGroup(int threads)
-    : threads_(threads), wake_cost_(usual_wake_cost), wake_delay_(usual_wake_delay) {
-    set_spin_us(default_spin_us);
-}
+WorkerGroup::WorkerGroup(int threads) : threads_(threads) { set_spin_us(default_spin_us); }
 
 std::unique_ptr<GraphRun> WorkerGroup::prepare(const JobGraph& graph, std::shared_ptr<WorkerGroup> group) {
     return std::make_unique<BoundRun>(graph, std::move(group));
 }
 
-// More threads than CPUs would delay each other.
+// More threads than CPUs, as tests have, would delay each other.
 void WorkerGroup::set_spin_us(int us) { spin_ = threads_ <= default_thread_count() ? ticks_of_us(us) : 0; }
 
 /// \param blocks_of_this_thread  blocks that need no worker, because this thread runs them
@@ -107,39 +87,21 @@ void WorkerGroup::start(Run& run, std::size_t blocks_of_this_thread) {
 void WorkerGroup::start_and_finish(Run& run) {
     const Clock::rep start_time = now();
     runs_in_a_row_ = start_time - last_end_ < spin_ ? runs_in_a_row_ + 1 : 0;
-    if (!pays_to_share(run)) {
+    // In a series of runs a worker stays awake.
+    SharingChoice& choice = awake_ > 0 || runs_in_a_row_ >= runs_of_a_series ? run.in_series : run.paced;
+    Clock::rep alone = 0;
+    if (threads_ > 1 && choice.shares()) {
+        start(run, 1);
+        alone = finish(run);
+    } else {
         run.progress.run_alone();
-        last_end_ = now();
-        helped_in_a_row_ = 0;
-        adjust(run.alone, last_end_ - start_time);
-        for (auto* const estimate : {&wake_cost_, &wake_delay_, &run.helped}) fade(*estimate);
-        return;
     }
-    const bool is_awake = awake_ > 0 && woken_at_ == 0;
-    start(run, 1);
-    const double alone = finish(run);
     last_end_ = now();
-    helped_in_a_row_ = is_awake ? helped_in_a_row_ + 1 : 0;
-    if (!is_awake) {
-        adjust(run.alone, static_cast<Clock::rep>(alone));
-    } else if (helped_in_a_row_ > runs_until_warm) {
-        adjust(run.helped, last_end_ - start_time);
-        fade(run.alone);
-    }
-}
-
-/// A worker that is woken does half of the work that remains when it begins. It must save a tenth
-/// of the time, because estimates vary. In a series of runs it stays awake. The first run of a
-/// graph may be long and the only one, so it is shared.
-bool WorkerGroup::pays_to_share(const Run& run) const {
-    if (threads_ == 1) return false;
-    if (run.alone == 0) return true;
-    if (awake_ > 0 || runs_in_a_row_ >= runs_of_a_series) return run.helped < run.alone;
-    return run.alone - run.alone / 5 > wake_delay_ + 2 * wake_cost_;
+    choice.count(last_end_ - start_time, alone);
 }
 
 /// Returns an estimate of the time on one thread, from the part of this thread.
-double WorkerGroup::finish(Run& run) {
+WorkerGroup::Clock::rep WorkerGroup::finish(Run& run) {
     RunProgress::Place place;
     Clock::rep busy = 0;
     std::size_t blocks = 0;
@@ -154,12 +116,11 @@ double WorkerGroup::finish(Run& run) {
         if (run.progress.is_done()) break;
         if (!spin_until_change(seen)) wait_while(changes_, seen);
     }
-    return static_cast<double>(busy) * static_cast<double>(run.progress.blocks()) /
-           static_cast<double>(std::max(blocks, std::size_t{1}));
+    return static_cast<Clock::rep>(static_cast<double>(busy) * static_cast<double>(run.progress.blocks()) /
+                                   static_cast<double>(std::max(blocks, std::size_t{1})));
 }
 
 void WorkerGroup::work(int thread) noexcept {
-    if (const Clock::rep woken_at = woken_at_.exchange(0)) adjust(wake_delay_, now() - woken_at);
     // Linux may wake a thread on the CPU of the waking thread, which is busy, and does so again
     // each time if the two CPUs share no cache. The thread then waits for 2 ms, so it stays away.
     // A thread that others use as well may run there later, so it leaves now, and the waking thread
@@ -231,12 +192,9 @@ void WorkerGroup::wake_for(std::size_t blocks) noexcept {
     for (int awake = awake_; count < wanted && awake < workers;)
         if (awake_.compare_exchange_weak(awake, awake + 1)) ++count, ++awake;
     if (count <= 0) return;
-    const Clock::rep start = now();
-    woken_at_ = start;
     waking_cpu_ = current_cpu();
     awake_ -= count - wake(count);
     if (yields_after_waking_) std::this_thread::yield();
-    adjust(wake_cost_, now() - start);
 }
 
 /// Returns true if there is a change, or false after the time of spinning.

@@ -4,8 +4,7 @@
 // Threads look for work for 20 us before they sleep, because stages follow each other within
 // microseconds and waking a thread takes longer: 5 to 160 us until it works, and up to 40 us of the
 // calling thread in a virtual machine. If cores share no cache, a worker may slow down a short run
-// even when it is awake. GraphRun::run() therefore measures both, and uses no worker for a run that
-// the calling thread completes sooner by itself.
+// even when it is awake. GraphRun::run() therefore measures both, see SharingChoice.
 #pragma once
 
 #include <atomic>
@@ -18,6 +17,7 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/run_progress.hpp"
+#include "pelagic/jobs/sharing_choice.hpp"
 
 namespace pelagic {
 
@@ -49,8 +49,7 @@ class WorkerGroup {
         Run(const JobGraph& graph, int threads) : progress(graph, threads) {}
 
         RunProgress progress;
-        /// Measured times of run(), 0 if unknown: on one thread, and with a worker that is awake.
-        std::atomic<Clock::rep> alone = 0, helped = 0;
+        SharingChoice paced, in_series;  ///< of run(): workers sleep before it, or are awake
     };
 
     /// Wakes `count` threads that do not work, each of which calls work() once. Returns the number
@@ -60,9 +59,8 @@ class WorkerGroup {
     virtual bool owns_threads() const noexcept { return false; }
 
     void start(Run&, std::size_t blocks_of_this_thread);
-    double finish(Run&);
+    Clock::rep finish(Run&);
     void start_and_finish(Run&);
-    bool pays_to_share(const Run&) const;
     void wake_for(std::size_t blocks) noexcept;
     std::size_t work_while_ready(Run&, RunProgress::Place&, const RunProgress::Interrupt* = nullptr) noexcept;
     bool work_on_all_runs(RunProgress::Place&, std::shared_ptr<Run>& last, std::uint32_t seen) noexcept;
@@ -75,11 +73,8 @@ class WorkerGroup {
     std::mutex mutex_;  ///< of runs_
     std::vector<std::shared_ptr<Run>> runs_;
 
-    // Measured, and used by pays_to_share(). Results do not depend on them.
-    std::atomic<Clock::rep> wake_cost_, wake_delay_;  ///< of the waking thread; of the worker
-    std::atomic<Clock::rep> woken_at_ = 0;            ///< 0 when the worker that was woken works
-    std::atomic<Clock::rep> last_end_ = 0;
-    std::atomic<int> runs_in_a_row_ = 0, helped_in_a_row_ = 0, waking_cpu_ = -1;
+    std::atomic<Clock::rep> last_end_ = 0;  ///< of run()
+    std::atomic<int> runs_in_a_row_ = 0, waking_cpu_ = -1;
     std::atomic<bool> yields_after_waking_ = false;  ///< the last worker began on the waking CPU
 
     // In separate cache lines, because other cores read them for each stage.

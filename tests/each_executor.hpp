@@ -8,12 +8,26 @@
 #include <string>
 #include <vector>
 
+#if defined(PELAGIC_HAS_TBB)
+#include <oneapi/tbb/global_control.h>
+#endif
+
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/sliced_executor.hpp"
+#include "pelagic/jobs/thread_count.hpp"
 #include "pelagic/simd/isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 
 namespace pelagic {
+
+/// Lets executors of this program have more threads than CPUs.
+inline const bool has_more_threads_than_cpus = [] {
+    min_assumed_cpus = 1024;
+    return true;
+}();
+#if defined(PELAGIC_HAS_TBB)
+inline const tbb::global_control more_threads_of_tbb(tbb::global_control::max_allowed_parallelism, 8);
+#endif
 
 struct ExecutorKind {
     std::string name;

@@ -23,6 +23,9 @@
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/jobs/platform.hpp"
+#include "pelagic/jobs/sharing_choice.hpp"
+#include "pelagic/jobs/thread_count.hpp"
+#include "pelagic/jobs/worker_group.hpp"
 #include "pelagic/tests/application_jobs.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/message_of.hpp"
@@ -507,6 +510,116 @@ TEST_P(ParallelExecutor, AsManyJobsAsTheLimitRunConcurrently) {
     executor_.reset();
     run_once(*run);
     EXPECT_EQ(timeouts, 0);
+}
+
+// ---- Threads that take part -----------------------------------------------------------------
+
+/// Runs whose times are known. Sharing makes each block take 1.4 times as long.
+struct KnownRuns {
+    SharingChoice choice;
+    int shared = 0;  ///< number of runs
+
+    void run(int count, std::int64_t alone_ns, std::int64_t shared_ns, int slow_each = 0) {
+        for (int i = 0; i < count; ++i) {
+            const bool is_slow = slow_each > 0 && i % slow_each == 0;
+            shared += choice.shares();
+            const std::int64_t time = (choice.shares() ? shared_ns : alone_ns) * (is_slow ? 20 : 1);
+            choice.count(time, choice.shares() ? alone_ns * 7 / 5 : 0);
+        }
+    }
+};
+
+// The bounds are the trials: 8 runs after 64, 128, ... and 4096 runs.
+TEST(SharingChoice, TakesTheFasterWayExceptInTrials) {
+    constexpr int runs = 5000, trials = 8 * 8;
+    for (const int slow_each : {0, 37}) {
+        for (const auto& [alone_us, shared_us] : {std::pair{46, 90}, {46, 900}, {120, 125}, {120, 115}}) {
+            KnownRuns known;
+            known.run(runs, alone_us * 1000, shared_us * 1000, slow_each);
+            EXPECT_LE(known.shared, trials) << alone_us << " " << shared_us;
+        }
+        for (const auto& [alone_us, shared_us] : {std::pair{120, 100}, {500, 330}, {500, 270}, {900, 120}}) {
+            KnownRuns known;
+            known.run(runs, alone_us * 1000, shared_us * 1000, slow_each);
+            EXPECT_GE(known.shared, runs - trials) << alone_us << " " << shared_us;
+        }
+    }
+}
+
+TEST(SharingChoice, FirstAndLongRunsAreShared) {
+    KnownRuns first, slow, eight_threads;
+    first.run(SharingChoice::trial_runs, 1, 1000);
+    EXPECT_EQ(first.shared, SharingChoice::trial_runs);
+    slow.run(5000, 2'000'000, 3'000'000);  // another program takes the workers' CPUs
+    EXPECT_EQ(slow.shared, 5000);
+    eight_threads.run(5000, 700'000, 100'000);  // alone, a run would be a hitch
+    EXPECT_EQ(eight_threads.shared, 5000);
+}
+
+TEST(SharingChoice, FollowsAChange) {
+    KnownRuns known;
+    known.run(5000, 120'000, 200'000);
+    ASSERT_FALSE(known.choice.shares());
+    known.run(SharingChoice::max_patience + SharingChoice::trial_runs, 120'000, 80'000);
+    EXPECT_TRUE(known.choice.shares());
+    known.run(60, 120'000, 200'000);
+    EXPECT_FALSE(known.choice.shares());
+}
+
+/// Waking takes 20 us, and no worker comes.
+class SleepyWorkers final : public WorkerGroup {
+   public:
+    SleepyWorkers() : WorkerGroup(2) {}
+    int wakes = 0;
+
+   private:
+    int wake(int) noexcept override {
+        ++wakes;
+        const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(20);
+        while (std::chrono::steady_clock::now() < end) {
+        }
+        return 0;
+    }
+};
+
+// The bound is three trials in runs that follow each other at once, and as many in others.
+TEST(WorkerGroup, TinyRunsWakeNoThreadExceptInTrials) {
+    constexpr int runs = 250, max_shared = 2 * 3 * SharingChoice::trial_runs;
+    const auto workers = std::make_shared<SleepyWorkers>();
+    int done = 0;
+    JobGraph graph;
+    graph.add({.name = "tiny", .count = 8, .body = [&](std::size_t, std::size_t) { ++done; }});
+    const auto run = WorkerGroup::prepare(graph, workers);
+    for (int i = 0; i < runs; ++i) run->run();
+    EXPECT_EQ(done, 8 * runs);
+    EXPECT_GE(workers->wakes, SharingChoice::trial_runs);
+    EXPECT_LE(workers->wakes, max_shared);
+}
+
+// Tests have more threads than CPUs. An application has not.
+TEST(ExecutorOptions, MoreThreadsThanCpusAreNotStarted) {
+    const auto restore = std::exchange(min_assumed_cpus, 1);
+    const int cpus = default_thread_count();
+    for (const int threads : {cpus, cpus + 1, 1024})
+        for (const auto make : {make_thread_executor, make_default_executor}) {
+            std::mutex mutex;
+            std::set<std::thread::id> seen;
+            JobGraph graph;
+            graph.add({.name = "look", .count = 256, .body = [&](std::size_t, std::size_t) {
+                           std::this_thread::sleep_for(std::chrono::microseconds(50));
+                           const std::lock_guard lock(mutex);
+                           seen.insert(std::this_thread::get_id());
+                       }});
+            const auto executor = make(threads);
+            EXPECT_EQ(executor->thread_limit(), cpus);
+            run_once(*executor->prepare(graph));
+            EXPECT_LE(seen.size(), static_cast<std::size_t>(cpus));
+        }
+    if (threads_have_cpu_masks()) {
+        const std::uint64_t usable = cpus_of_this_process();
+        EXPECT_EQ(make_thread_executor_on(std::bit_floor(usable), 1024)->thread_limit(), std::min(cpus, 2));
+    }
+    min_assumed_cpus = restore;
 }
 
 // ---- Errors ---------------------------------------------------------------------------------

@@ -397,7 +397,7 @@ TEST(QueryCommand, MoreThreadsThanCpusAreNotedOnce) {
     EXPECT_EQ(as_many.err.find("--threads"), std::string::npos) << as_many.err;
     EXPECT_EQ(more.err, "note: --threads " + std::to_string(cpus + 1) +
                             " is more than the CPUs that this process may use, " + std::to_string(cpus) +
-                            ": frames take longer\n" + as_many.err);
+                            ": uses as many\n" + as_many.err);
     EXPECT_EQ(more.out, as_many.out);
 }
 

@@ -35,7 +35,7 @@ ComputeOptions ComputeFlags::resolve() const {
     if (threads_) options.threads = whole_number_in("--threads", *threads_, 0, 1024);
     if (const int cpus = default_thread_count(); options.threads > cpus)
         print_note("--threads " + *threads_ + " is more than the CPUs that this process may use, " +
-                   std::to_string(cpus) + ": frames take longer");
+                   std::to_string(cpus) + ": uses as many");
     if (isa_) {
         options.isa = isa_named(*isa_);
         const std::vector<std::string> here = names_of_isas_here();

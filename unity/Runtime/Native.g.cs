@@ -782,8 +782,9 @@ namespace Pelagic
         public ExecutorKind Kind;
         /// <summary>
         /// Maximum number of threads that work on a frame, the completing thread included; [0, 1024]. With 1 complete()
-        /// does all work. 0: one per CPU that the process may use by its affinity and its quota; of
-        /// ExecutorKind.Threads with a mask, of these the CPUs of the mask; of ExecutorKind.Application, 1.
+        /// does all work. 0, or more: one per CPU that the calling thread may use by its affinity and its process's quota;
+        /// of ExecutorKind.Threads with a mask, of these the CPUs of the mask. ExecutorKind.Application: 0 is 1,
+        /// and no number is too large.
         /// </summary>
         public int Threads;
         /// <summary>
