@@ -39,11 +39,11 @@ pelagic_gate_packages=(clang libclang-rt-14-dev doxygen mono-mcs mono-runtime sp
 pelagic_gate_packages+=(python3-venv python3-matplotlib python3-pytest mypy blender)
 
 # Packages for other platforms: the C++ library of headsets, a compiler and an emulator for 64-bit
-# Arm, a compiler to Windows and wine, a compiler to WebAssembly, node and a browser.
+# Arm, a compiler to Windows, what windows_libraries.sh needs, and wine, a compiler to WebAssembly, node and a browser.
 pelagic_arm64_packages=(libc++-14-dev libc++abi-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_arm64_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
-pelagic_windows_packages=(g++-mingw-w64-x86-64-posix wine64)
+pelagic_windows_packages=(g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev wine64)
 pelagic_web_packages=(emscripten)
 command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 pelagic_platform_packages=("${pelagic_arm64_packages[@]}" "${pelagic_windows_packages[@]}" "${pelagic_web_packages[@]}" chromium openssl)

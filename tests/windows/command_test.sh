@@ -24,13 +24,9 @@ refused() {  # usage: refused EXIT_CODE LINE ARGUMENT...
   "${pelagic[@]}" "${@:3}" >said 2>&1 || code=$?
   [ "$(tr -d '\r' <said)" = "pelagic: $2" ] && [ "$code" -eq "$1" ] || { echo "$code, not $1: ${*:3}"; cat said; exit 1; }
 }
-for command in export merge verify; do
-  refused 2 "$command is not in this build: configure with -DPELAGIC_IMAGES=ON" $command --out x
-done
 for command in render view; do
   refused 2 "$command is not in this build: configure with -DPELAGIC_GL=ON" $command
 done
-refused 2 "--measure is not in this build: configure with -DPELAGIC_IMAGES=ON" info --measure folder
 refused 2 "--points is folder, a folder, expected a CSV file of lines x,z (Is a directory)" query --points folder
 refused 2 "--points is none.csv, which can't be read, expected a CSV file of lines x,z (No such file or directory)" query --points none.csv
 refused 1 "can't write folder: it is a folder, expected a regular file or a free name" quadtree --svg folder

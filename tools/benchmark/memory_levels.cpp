@@ -10,6 +10,7 @@
 #include "pelagic/tools/benchmark/machine.hpp"
 #include "pelagic/tools/files/input_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -77,7 +78,7 @@ std::vector<MemoryLevel> measure_memory_levels() {
 std::vector<CountedBytes> read_counted_bytes(const std::string& option, const std::string& file) {
     constexpr const char* accepted = "a file of counts as bench/bytes.json";
     constexpr std::size_t max_bytes = bytes_per_mib;
-    const std::string text = InputFile(option, file, accepted).read_all(max_bytes);
+    const std::string text = InputFile(option, path_of(file), accepted).read_all(max_bytes);
     std::vector<CountedBytes> counts;
     try {
         const auto json = nlohmann::json::parse(text);

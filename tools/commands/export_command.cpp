@@ -21,6 +21,7 @@
 #include "pelagic/tools/export/mesh_files.hpp"
 #include "pelagic/tools/export/sequence_output.hpp"
 #include "pelagic/tools/files/digest.hpp"
+#include "pelagic/tools/files/open_file.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/maps/map_image.hpp"
 #include "pelagic/tools/record/export_journal.hpp"
@@ -33,10 +34,17 @@
 namespace pelagic::tools {
 namespace {
 
+/// Makes the folder and those above it. std::filesystem::create_directories() knows no drives in paths
+/// of any length.
 void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw FileError("can't write " + folder.string() + ": " + error.message());
+    std::filesystem::path made;
+    for (const std::filesystem::path& name : folder) {
+        made /= name;
+        std::error_code error;
+        if (!made.has_relative_path() || std::filesystem::is_directory(any_length(made), error)) continue;
+        std::filesystem::create_directory(any_length(made), error);
+        if (error) throw FileError("can't write " + folder.string() + ": " + error.message());
+    }
 }
 
 /// Computes frames in order and calls `take` for each while the next one is computed. Returns false

@@ -30,6 +30,7 @@
 #include "pelagic/tools/text/help_formatter.hpp"
 #if defined(PELAGIC_HAS_IMAGES)
 #include "pelagic/tools/measure/measure_report.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #endif
 
 namespace pelagic::tools {
@@ -390,9 +391,9 @@ void InfoCommand::measure() const {
                          "; no sea option is accepted beside it, the export's sea.json has the sea");
     if (svg_ && svg_->empty()) throw InputError("--svg is empty, expected a file to write to");
     std::optional<OutputFile> svg;
-    if (svg_) svg.emplace(*svg_);  // opened before measuring
+    if (svg_) svg.emplace(path_of(*svg_));  // opened before measuring
 #if defined(PELAGIC_HAS_IMAGES)
-    const Json json = measure_export(*measure_);
+    const Json json = measure_export(path_of(*measure_));
     if (svg) svg->write(measurement_as_svg(json));
     if (json_)
         std::printf("%s\n", json.dump(2).c_str());

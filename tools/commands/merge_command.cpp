@@ -24,6 +24,7 @@
 #include "pelagic/tools/record/record_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
@@ -276,7 +277,7 @@ void MergeCommand::add_options(CLI::App& app) {
 void MergeCommand::run() {
     if (!folder_) throw InputError("DIR is missing: expected a folder with the shards of an export");
     const ComputeOptions compute = compute_.resolve();
-    const OutputFolder folder = open_export("DIR", *folder_, Sync::yes);
+    const OutputFolder folder = open_export("DIR", path_of(*folder_), Sync::yes);
     std::optional<FolderLock> lock;
     if (!no_lock_) lock.emplace(folder, "DIR");
     FolderNames names = names_in_folder(folder);

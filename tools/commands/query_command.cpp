@@ -24,6 +24,7 @@
 #include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/files/open_file.hpp"
 #include "pelagic/tools/hulls/hull_notes.hpp"
 #include "pelagic/tools/hulls/hull_options.hpp"
 #include "pelagic/tools/hulls/hull_player.hpp"
@@ -37,6 +38,7 @@
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
@@ -120,9 +122,9 @@ class PointBytes {
    public:
     explicit PointBytes(const std::optional<std::string>& points) {
         if (!points) return;
-        file_.emplace("--points", *points, "a CSV file of lines x,z", true);
+        file_.emplace("--points", path_of(*points), "a CSV file of lines x,z", true);
         std::error_code unknown_size;  // of a pipe
-        const auto bytes = std::filesystem::file_size(*points, unknown_size);
+        const auto bytes = std::filesystem::file_size(any_length(path_of(*points)), unknown_size);
         if (!unknown_size) all_ = static_cast<double>(bytes);
     }
 

@@ -30,6 +30,7 @@
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
@@ -250,7 +251,7 @@ void VerifyCommand::run() {
     else if (sample_)
         sample = static_cast<std::size_t>(whole_number_in("--sample", *sample_, 0, 1'000'000));
     const int seed = seed_ ? whole_number_in("--seed", *seed_, 0, INT32_MAX) : 0;
-    const OutputFolder folder = open_export("DIR", *folder_, Sync::no);
+    const OutputFolder folder = open_export("DIR", path_of(*folder_), Sync::no);
     try {
         Verification verification(folder, compute_.resolve());
         verification.check_files(sample_of(verification.frames(), sample, static_cast<std::uint64_t>(seed)));

@@ -5,7 +5,6 @@
 #include <ImfFrameBuffer.h>
 #include <ImfFramesPerSecond.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfIntAttribute.h>
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputPart.h>
@@ -14,12 +13,11 @@
 #include <ImfStringAttribute.h>
 #include <ImfTiledOutputPart.h>
 
-#include <algorithm>
-#include <cstring>
 #include <stdexcept>
 #include <type_traits>
 
 #include "pelagic/tools/encode/exr_codec.hpp"
+#include "pelagic/tools/encode/exr_stream.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -27,30 +25,6 @@ namespace {
 // the tile size of renderers' texture caches, and of maketx and txmake
 constexpr unsigned tile_side = 64;
 constexpr int own_thread = 0;  // 0 threads of OpenEXR: encode() works on the calling thread
-
-class BytesInMemory final : public Imf::OStream {
-   public:
-    explicit BytesInMemory(std::size_t capacity) : OStream("memory") { bytes_.reserve(capacity); }
-
-    void write(const char bytes[], int count) override {
-        const std::size_t end = place_ + static_cast<std::size_t>(count);
-        const std::size_t over = std::min(static_cast<std::size_t>(count), bytes_.size() - place_);
-        std::memcpy(bytes_.data() + place_, bytes, over);
-        bytes_.insert(bytes_.end(), bytes + over, bytes + count);
-        place_ = end;
-    }
-    std::uint64_t tellp() override { return place_; }
-    void seekp(std::uint64_t place) override {
-        if (place > bytes_.size()) bytes_.resize(place);
-        place_ = place;
-    }
-
-    std::vector<unsigned char> taken() { return std::move(bytes_); }
-
-   private:
-    std::vector<unsigned char> bytes_;
-    std::size_t place_ = 0;
-};
 
 Imf::Compression compression_of(Compression compression) {
     switch (compression) {
@@ -143,7 +117,7 @@ std::vector<unsigned char> encode(const ExrFile& file) {
     try {
         std::vector<Imf::Header> headers;
         for (const ExrPart& part : file.parts) headers.push_back(header_of(part, file));
-        BytesInMemory memory(max_file_size(file));
+        ExrOutput memory(max_file_size(file));
         {
             constexpr bool override_shared = false;
             Imf::MultiPartOutputFile output(memory, headers.data(), static_cast<int>(headers.size()), override_shared,

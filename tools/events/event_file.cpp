@@ -14,6 +14,7 @@
 #include "pelagic/tools/meshes/hull_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #include "pelagic/tools/text/typed_number.hpp"
 
 namespace pelagic::tools {
@@ -117,7 +118,7 @@ class EventReader {
             reject("the number of hulls", "more", "at most " + number_text(EventFile::max_hulls));
         const std::string option = name_ + ":" + number_text(line_number_) + ": hull";
         return hull = std::make_shared<const HullMesh>(
-                   read_hull(option, std::filesystem::path(name_).parent_path() / cell));
+                   read_hull(option, path_of(name_).parent_path() / cell));
     }
 
     void take_row(const std::vector<std::string>& cells) {
@@ -210,7 +211,7 @@ EventFile parse_events(const std::string& name, std::string_view text) {
 }
 
 std::shared_ptr<const EventFile> read_events(const std::string& file) {
-    InputFile input("--events", file, a_file);
+    InputFile input("--events", path_of(file), a_file);
     return std::make_shared<const EventFile>(parse_events(input.name(), input.read_all(EventFile::max_bytes)));
 }
 

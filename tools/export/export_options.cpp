@@ -8,11 +8,13 @@
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/sequence_output.hpp"
+#include "pelagic/tools/files/open_file.hpp"
 #include "pelagic/tools/files/zstd.hpp"
 #include "pelagic/tools/maps/pixel_meaning.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -152,18 +154,18 @@ OutputPlace checked_place(const std::optional<std::string>& text) {
     if (!text || text->empty()) throw InputError("--out is missing: expected a folder to write to");
     constexpr const char* accepted = "a folder, or a name for a sequence such as wave.####.exr or wave.%04d.tif";
     std::error_code error;
-    OutputPlace place{*text, {}};
-    if (const std::filesystem::path path = *text; !std::filesystem::is_directory(path, error)) {
+    OutputPlace place{path_of(*text), {}};
+    if (const std::filesystem::path path = path_of(*text); !std::filesystem::is_directory(any_length(path), error)) {
         if (NamePattern::is_meant(path.filename().string())) {
             place.names = NamePattern::parse(path.filename().string());
             if (!place.names) throw bad_value("--out", *text, accepted);
-            place.folder = path.has_parent_path() ? path.parent_path() : ".";
+            place.folder = path.has_parent_path() ? path.parent_path() : path_of(".");
         } else if (is_image_name(path)) {
             throw bad_value("--out", *text, accepted);
         }
     }
     for (std::filesystem::path up = place.folder; !up.empty(); up = up.parent_path()) {
-        const auto status = std::filesystem::status(up, error);
+        const auto status = std::filesystem::status(any_length(up), error);
         if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
             throw bad_value("--out", *text, "a folder, but " + up.string() + " is a file");
         if (!up.has_relative_path()) break;
@@ -175,9 +177,9 @@ OutputPlace checked_place(const std::optional<std::string>& text) {
 // export.
 std::filesystem::path checked_trace(const std::string& text, const ExportOptions& options) {
     if (text.empty()) throw InputError("--trace is empty, expected a file to write to");
-    const std::filesystem::path path = text;
+    const std::filesystem::path path = path_of(text);
     std::error_code error;
-    const auto status = std::filesystem::status(path, error);
+    const auto status = std::filesystem::status(any_length(path), error);
     if (std::filesystem::is_directory(status) || path.filename().empty())
         throw bad_value("--trace", text, "a file, but that is a folder");
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
@@ -324,6 +326,10 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
         throw InputError("--format is " + *typed_format + " and --out is " + *typed("out") +
                          ", expected the same format");
     if (names) options.format = *value_named<ImageFormat>(names->extension());
+#if !defined(PELAGIC_HAS_TIFF)
+    if (options.format == ImageFormat::tiff)
+        throw InputError("tif files are not in this build, which lacks OpenImageIO; expected exr, ktx2 or dds");
+#endif
     options.tiled = tiled_;
     const auto& compression = typed("compression");
     if (is_texture(options.format)) options.compression = Compression::none;

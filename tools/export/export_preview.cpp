@@ -23,6 +23,7 @@
 #include "pelagic/tools/export/mesh_files.hpp"
 #include "pelagic/tools/export/sequence_output.hpp"
 #include "pelagic/tools/maps/map_image.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 
 namespace pelagic::tools {
 namespace {

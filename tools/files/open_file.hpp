@@ -1,14 +1,29 @@
-// Operating-system functions for reading files, implemented in open_file_posix.cpp and
+// Operating-system functions for files, streams and arguments, implemented in open_file_posix.cpp and
 // open_file_windows.cpp.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "pelagic/tools/files/descriptor.hpp"
 
 namespace pelagic::tools {
+
+/// Returns the path in a form that the system accepts at any length. Windows limits others to 260
+/// characters.
+std::filesystem::path any_length(const std::filesystem::path& path);
+
+/// Returns 0, or the errno of the reason why files of the folder cannot be read.
+int reason_against_reading(const std::filesystem::path& folder);
+
+enum class LockKind { shared, exclusive };
+
+/// Locks an open file until it is closed or the process ends. Does not wait. Returns 0, or an errno:
+/// EWOULDBLOCK if another process holds the lock.
+int try_lock(const Descriptor& file, LockKind kind);
 
 /// Opens the file for reading. On failure the descriptor is not open and errno holds the reason.
 /// For a directory, EISDIR may be reported only when it is read.
@@ -30,8 +45,11 @@ class SilentStderr {
     Descriptor kept_;
 };
 
+/// Returns the arguments of main() in UTF-8.
+std::vector<std::string> utf8_arguments(int argc, const char* const* argv);
+
 /// Switches standard input and output to binary mode, so that a line ends with "\n" on every
-/// system.
+/// system, and a console to UTF-8.
 void keep_bytes_as_they_are();
 
 }  // namespace pelagic::tools

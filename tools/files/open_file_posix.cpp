@@ -1,9 +1,25 @@
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
+
+#include <cerrno>
 
 #include "pelagic/tools/files/open_file.hpp"
 
 namespace pelagic::tools {
+
+std::filesystem::path any_length(const std::filesystem::path& path) { return path; }
+
+int reason_against_reading(const std::filesystem::path& folder) {
+    return ::access(folder.c_str(), R_OK | X_OK) == 0 ? 0 : errno;
+}
+
+int try_lock(const Descriptor& file, LockKind kind) {
+    for (;;) {
+        if (::flock(file.get(), (kind == LockKind::shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0) return 0;
+        if (errno != EINTR) return errno;
+    }
+}
 
 Descriptor open_to_read(const std::filesystem::path& file) {
     return Descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
@@ -21,6 +37,8 @@ SilentStderr::SilentStderr() : kept_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3))
 SilentStderr::~SilentStderr() {
     if (kept_.is_open()) ::dup2(kept_.get(), STDERR_FILENO);
 }
+
+std::vector<std::string> utf8_arguments(int argc, const char* const* argv) { return {argv, argv + argc}; }
 
 void keep_bytes_as_they_are() {}  // POSIX streams are binary already
 

@@ -3,6 +3,7 @@
 #include "pelagic/tools/files/output_folder.hpp"
 
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 
 namespace pelagic::tools {
 
@@ -51,7 +52,7 @@ void OutputFile::write(std::string_view text) const { write(std::as_bytes(std::s
 std::optional<OutputFile> file_for(const char* option, const std::optional<std::string>& file) {
     if (!file) return {};
     if (file->empty()) throw InputError(std::string(option) + " is empty, expected a file to write to");
-    return std::optional<OutputFile>(std::in_place, *file);
+    return std::optional<OutputFile>(std::in_place, path_of(*file));
 }
 
 }  // namespace pelagic::tools

@@ -2,17 +2,21 @@
 // file functions take full paths.
 #include <fcntl.h>
 #include <io.h>
-#include <sys/stat.h>
 #include <windows.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <system_error>
+#include <thread>
 
+#include "pelagic/tools/files/open_file.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/files/windows_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -46,8 +50,26 @@ int write_all(const Descriptor& file, std::string_view bytes) {
     return 0;
 }
 
-Descriptor opened(const std::filesystem::path& file, int how) {
-    return Descriptor(::_wopen(file.c_str(), how | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE));
+std::filesystem::file_type type_of(const std::filesystem::path& file, std::error_code& reason) {
+    return std::filesystem::symlink_status(any_length(file), reason).type();
+}
+
+/// Calls a function of Windows that returns whether it has renamed or removed a file. Returns 0 or an
+/// errno. Tries for a second, because a program that reads the file, such as a virus scanner, prevents
+/// it.
+template <class Change>
+int try_for_a_second(const Change& change) {
+    constexpr int max_tries = 45;
+    for (int tries = 1;; ++tries) {
+        if (change()) return 0;
+        const int reason = errno_of_last_error();
+        if (reason != EACCES || tries == max_tries) return reason;
+        std::this_thread::sleep_for(std::chrono::milliseconds(tries));
+    }
+}
+
+void remove_file(const std::filesystem::path& file) {
+    try_for_a_second([&] { return ::DeleteFileW(any_length(file).c_str()); });
 }
 
 /// A file with a temporary name. The destructor removes it unless it was renamed. Windows does not
@@ -58,7 +80,7 @@ class PartFile {
     ~PartFile() {
         if (!is_ours_) return;
         file_ = {};
-        ::_wunlink(path_.c_str());
+        remove_file(path_);
     }
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
@@ -71,22 +93,22 @@ class PartFile {
     int create(const std::function<void()>& check) {
         if (const int reason = create_new(); reason != EEXIST) return reason;
         check();
-        ::_wunlink(path_.c_str());
+        remove_file(path_);
         return create_new();
     }
-    /// Closes the file, since an open file cannot be renamed, then renames it. Returns 0 or an
-    /// errno.
+    /// Closes the file, since an open file cannot be renamed, then renames it. Returns 0 or an errno.
     int rename_to(const std::filesystem::path& path) {
         if (::_close(file_.release()) != 0) return errno;
-        std::error_code reason;
-        std::filesystem::rename(path_, path, reason);
-        is_ours_ = static_cast<bool>(reason);
-        return reason.value();
+        const int reason = try_for_a_second([&] {
+            return ::MoveFileExW(any_length(path_).c_str(), any_length(path).c_str(), MOVEFILE_REPLACE_EXISTING);
+        });
+        is_ours_ = reason != 0;
+        return reason;
     }
 
    private:
     int create_new() {
-        file_ = opened(path_, _O_WRONLY | _O_CREAT | _O_EXCL);
+        file_ = open_binary(path_, _O_WRONLY | _O_CREAT | _O_EXCL);
         is_ours_ = file_.is_open();
         return is_ours_ ? 0 : errno;
     }
@@ -100,7 +122,7 @@ class PartFile {
 
 OutputFolder::OutputFolder(std::filesystem::path path, Sync sync, const std::filesystem::path& wanted)
     : path_(std::move(path)), sync_(sync) {
-    const std::filesystem::path folder = path_.empty() ? "." : path_;
+    const std::filesystem::path folder = any_length(path_.empty() ? path_of(".") : path_);
     std::error_code reason;
     if (!std::filesystem::is_directory(folder, reason))
         throw file_error(can_not_write, wanted, std::filesystem::exists(folder, reason) ? ENOTDIR : ENOENT);
@@ -118,7 +140,7 @@ OutputFolder::OutputFolder(std::filesystem::path path, Sync sync, const std::fil
 bool OutputFolder::has_regular_file(const std::string& name, const char* doing) const {
     assert(name.find('/') == std::string::npos);
     std::error_code reason;
-    const std::filesystem::file_type type = std::filesystem::symlink_status(path_ / name, reason).type();
+    const std::filesystem::file_type type = type_of(path_ / name, reason);
     if (type == std::filesystem::file_type::not_found) return false;
     if (type == std::filesystem::file_type::none) throw file_error(doing, path_ / name, reason.message());
     if (type != std::filesystem::file_type::regular)
@@ -161,7 +183,7 @@ void OutputFolder::sync() const {}  // NTFS journals changes of names
 
 Descriptor OutputFolder::open_for_lines(const std::string& name) const {
     has_regular_file(name, can_not_write);
-    Descriptor file = opened(path_ / name, _O_WRONLY | _O_APPEND);
+    Descriptor file = open_binary(path_ / name, _O_WRONLY | _O_APPEND);
     if (!file.is_open()) throw file_error(can_not_write, path_ / name, errno);
     return file;
 }
@@ -173,7 +195,7 @@ void OutputFolder::append_line(const std::string& name, const Descriptor& file, 
 
 Descriptor OutputFolder::open_for_reading(const std::string& name) const {
     if (!has_regular_file(name, can_not_read)) return {};
-    Descriptor file = opened(path_ / name, _O_RDONLY);
+    Descriptor file = open_binary(path_ / name, _O_RDONLY);
     if (!file.is_open()) throw file_error(can_not_read, path_ / name, errno);
     return file;
 }
@@ -186,7 +208,7 @@ std::size_t OutputFolder::read_some(const std::string& name, const Descriptor& f
 
 void OutputFolder::for_each_name(const std::function<void(const std::string&)>& take) const {
     std::error_code reason;
-    for (std::filesystem::directory_iterator entry(path_.empty() ? "." : path_, reason), end; !reason && entry != end;
+    for (std::filesystem::directory_iterator entry(any_length(path_.empty() ? path_of(".") : path_), reason), end; !reason && entry != end;
          entry.increment(reason))
         take(entry->path().filename().string());
     if (reason) throw file_error(can_not_read, path_, reason.message());
@@ -194,13 +216,13 @@ void OutputFolder::for_each_name(const std::function<void(const std::string&)>& 
 
 void OutputFolder::remove(const std::string& name) const {
     std::error_code reason;
-    if (std::filesystem::symlink_status(path_ / name, reason).type() == std::filesystem::file_type::regular)
-        ::_wunlink((path_ / name).c_str());
+    if (type_of(path_ / name, reason) == std::filesystem::file_type::regular)
+        remove_file(path_ / name);
 }
 
 Descriptor OutputFolder::open_for_lock(const std::string& name) const {
     has_regular_file(name, can_not_write);
-    Descriptor file = opened(path_ / name, _O_RDWR | _O_CREAT);
+    Descriptor file = open_binary(path_ / name, _O_RDWR | _O_CREAT);
     if (!file.is_open()) throw file_error(can_not_write, path_ / name, errno);
     return file;
 }

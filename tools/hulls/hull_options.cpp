@@ -14,6 +14,7 @@
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
@@ -38,11 +39,11 @@ std::shared_ptr<const GivenCoefficients> coefficients_of(const Hull& hull, const
     constexpr std::size_t max_bytes = 32'000'000;
     if (stem.empty()) throw InputError(std::string(option) + " is empty, expected " + accepted);
     const std::string radiation_name = stem + ".1", excitation_name = stem + ".3";
-    const std::string radiation = InputFile(option, radiation_name, accepted).read_all(max_bytes);
+    const std::string radiation = InputFile(option, path_of(radiation_name), accepted).read_all(max_bytes);
     std::string excitation;
     std::error_code unknown;
-    if (std::filesystem::exists(excitation_name, unknown)) {
-        excitation = InputFile(option, excitation_name, accepted).read_all(max_bytes);
+    if (std::filesystem::exists(path_of(excitation_name), unknown)) {
+        excitation = InputFile(option, path_of(excitation_name), accepted).read_all(max_bytes);
         if (excitation.empty()) throw InputError(std::string(option) + ": " + excitation_name + " is empty");
     }
     try {
@@ -107,7 +108,7 @@ std::optional<HullLaunch> HullFlags::resolve() const {
         options.centre_of_mass_m = glm::dvec3(at[0], at[1], at[2]);
     }
     if (file_->empty()) throw InputError("--hull is empty, expected an OBJ or glTF 2.0 file");
-    HullMesh mesh = read_hull("--hull", *file_);
+    HullMesh mesh = read_hull("--hull", path_of(*file_));
     if (options.centre_of_mass_m && !Hull::check(mesh, options).empty())
         throw InputError("--hull-center is " + *center_ + ": " + Hull::check(mesh, options));
     launch.hull = std::make_shared<const Hull>(std::move(mesh), options);

@@ -1,7 +1,5 @@
 #include "pelagic/tools/measure/export_reader.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -17,8 +15,10 @@
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
 #include "pelagic/tools/export/shard.hpp"
+#include "pelagic/tools/files/open_file.hpp"
 #include "pelagic/tools/record/export_record.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -114,11 +114,11 @@ OutputFolder open_export(const std::string& option, const std::filesystem::path&
     constexpr const char* an_export = "a folder that pelagic export has written";
     std::error_code error;
     if (folder.empty()) throw InputError(option + " is empty, expected " + an_export);
-    if (!std::filesystem::is_directory(folder, error))
+    if (!std::filesystem::is_directory(any_length(folder), error))
         throw bad_value(option, folder.string(),
                         std::string(an_export) + (error ? " (" + error.message() + ")" : ""));
-    if (::access(folder.c_str(), R_OK | X_OK) != 0)
-        throw bad_value(option, folder.string(), std::string(an_export) + " (" + std::strerror(errno) + ")");
+    if (const int reason = reason_against_reading(folder); reason != 0)
+        throw bad_value(option, folder.string(), std::string(an_export) + " (" + std::strerror(reason) + ")");
     return OutputFolder(folder, sync);
 }
 

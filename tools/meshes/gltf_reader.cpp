@@ -18,6 +18,7 @@
 #include "pelagic/tools/files/input_file.hpp"
 #include "pelagic/tools/meshes/hull_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -81,9 +82,9 @@ std::optional<std::string> decode_percent(std::string_view uri) {
 /// Returns true for a relative path that stays in its folder or below.
 bool is_inside(const std::string& path) {
     if (path.empty() || path.find_first_of(std::string_view(":\\\0", 3)) != std::string::npos) return false;
-    const std::filesystem::path relative(path);
+    const std::filesystem::path relative = path_of(path);
     for (const auto& element : relative)
-        if (element == "..") return false;
+        if (element == path_of("..")) return false;
     return relative.is_relative();
 }
 

@@ -15,6 +15,7 @@
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
@@ -43,7 +44,7 @@ void require_few_channels(std::size_t channels) {
 /// Returns the first channel of an image: 0 (black) to 1 (white) of a PNG, the stored values of an
 /// EXR.
 ShoreOptions read_heights(const std::string& file, const std::string& extension) {
-    const std::string bytes = InputFile("--floor", file, an_image).read_all(max_depth_image_bytes);
+    const std::string bytes = InputFile("--floor", path_of(file), an_image).read_all(max_depth_image_bytes);
     const std::span<const unsigned char> data(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     ShoreOptions field;
     try {
@@ -122,7 +123,7 @@ FloorOptions FloorFlags::resolve(const ResolvedSea& sea) const {
 }
 
 ShoreOptions FloorFlags::read_field() const {
-    std::string extension = std::filesystem::path(*file_).extension().string();
+    std::string extension = path_of(*file_).extension().string();
     if (!extension.empty()) extension.erase(0, 1);
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
     if (extension != "png" && extension != "exr") throw bad_value("--floor", *file_, an_image);

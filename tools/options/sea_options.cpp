@@ -15,6 +15,7 @@
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
 #include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/typed_number.hpp"
 
@@ -436,11 +437,11 @@ ResolvedSea SeaOptions::resolve() const {
         throw InputError("--config is " + *file + " and --weather is " + *weather_file +
                          "; give one of the two: the first sea stands in both");
     WeatherConfig weather;
-    if (weather_file) weather = read_weather(*weather_file, config_keys());
-    if (file) weather.first = read_config(*file, config_keys());
+    if (weather_file) weather = read_weather(path_of(*weather_file), config_keys());
+    if (file) weather.first = read_config(path_of(*file), config_keys());
     SeaState of_file;
     ResolvedSea sea = resolve_with(weather.first, of_file);
-    if (weather_file) add_changes(sea, weather, *weather_file);
+    if (weather_file) add_changes(sea, weather, path_of(*weather_file));
     require_effects_in(weather, sea, of_file);
     return sea;
 }

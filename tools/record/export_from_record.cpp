@@ -7,6 +7,7 @@
 
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -47,7 +48,7 @@ void add_words(std::vector<std::string>& words, const std::string& key, const Js
 std::vector<std::string> words_in(const Json& how, const std::filesystem::path& folder) {
     if (!how.is_object()) throw DamagedRecord();
     std::filesystem::path out = folder;
-    if (how.contains("names")) out /= std::filesystem::path(typed_value(how["names"])).filename();
+    if (how.contains("names")) out /= path_of(typed_value(how["names"])).filename();
     std::vector<std::string> words = {"--out", path_word(out)};
     const bool is_list = how.contains("frame_numbers"), is_loop = how.contains("loop");
     // The record contains the digest of the events file beside it.
@@ -68,15 +69,22 @@ std::vector<std::string> words_in(const Json& how, const std::filesystem::path& 
     return words;
 }
 
-/// Quotes a word for POSIX shells.
+#if defined(_WIN32)
+// cmd and PowerShell; programs split their command line at \"
+constexpr const char *plain_letters = "-_./,=:+@\\", *quote = "\"", *quote_within = "\\\"";
+#else
+constexpr const char *plain_letters = "-_./,=:+@%", *quote = "'", *quote_within = "'\\''";
+#endif
+
+/// Quotes a word for the shells of the system.
 std::string quoted(const std::string& word) {
-    const bool is_plain = !word.empty() && word.find_first_not_of(
-                                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                               "0123456789-_./,=:+@%") == std::string::npos;
+    constexpr const char* letters_and_digits = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+    const bool is_plain = !word.empty() && word.find_first_not_of(std::string(letters_and_digits) + plain_letters) ==
+                                               std::string::npos;
     if (is_plain) return word;
-    std::string text = "'";
-    for (const char letter : word) letter == '\'' ? text += "'\\''" : text += letter;
-    return text + "'";
+    std::string text = quote;
+    for (const char letter : word) letter == *quote ? text += quote_within : text += letter;
+    return text + quote;
 }
 
 void require_this_version(const ReadJson& options, const std::filesystem::path& file) {

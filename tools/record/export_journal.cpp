@@ -195,6 +195,7 @@ void ExportJournal::end(const std::vector<FrameRecord>& frames, const std::vecto
 
     // Other shards have temporary files and records; `pelagic merge` removes theirs.
     if (!options_.shard) remove_stale_files(frames, sequence_files);
+    journal_ = {};  // Windows would keep the name until then
     folder_.remove(journal_name_);
     folder_.sync();
 }

@@ -10,7 +10,8 @@
 namespace pelagic::tools {
 
 /// Locks `.sea.lock` in the folder until the object is destroyed or the process ends. The lock is
-/// the kernel's lock on the open file (flock, which Linux also supports over NFS and SMB), not the
+/// the kernel's lock on the open file (flock, which Linux also supports over NFS and SMB; LockFileEx on
+/// Windows), not the
 /// existence of the file. The file is never removed, since another process may have just opened it.
 ///
 /// Shards of one export share this lock, and each holds `.sea.3-of-8.lock` exclusively. Only a

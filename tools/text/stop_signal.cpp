@@ -11,7 +11,10 @@ namespace {
 
 volatile std::sig_atomic_t caught = 0;
 
-extern "C" void note_signal(int signal) { caught = signal; }
+extern "C" void note_signal(int signal) {
+    std::signal(signal, SIG_DFL);  // a second one ends the program
+    caught = signal;
+}
 
 volatile std::sig_atomic_t is_held = 0;
 const char* closing_line = "";
@@ -25,22 +28,24 @@ void end_now() {
 }
 
 extern "C" void end_at_signal(int signal) {
+    std::signal(signal, SIG_DFL);
     caught = signal;
     if (!is_held) end_now();
 }
 
 void handle_stop_signals(void (*handler)(int)) {
-    for (const int signal : {SIGINT, SIGTERM}) {
-        struct sigaction action {};
-        ::sigaction(signal, nullptr, &action);
+    constexpr int stops[] = {
+        SIGINT, SIGTERM,
+#if defined(SIGBREAK)  // Ctrl-Break on Windows
+        SIGBREAK,
+#endif
+    };
+    for (const int signal : stops)
         // set by nohup and for background jobs of a script
-        if (action.sa_handler == SIG_IGN) continue;
-        action = {};
-        action.sa_handler = handler;
-        action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-        ::sigaction(signal, &action, nullptr);
-    }
+        if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
+#if defined(SIGXFSZ)
     std::signal(SIGXFSZ, SIG_IGN);
+#endif
 }
 
 }  // namespace
