@@ -4,8 +4,9 @@ versions and licences of the code of others that is compiled into it.
 
 usage: bill_of_materials.py DIST_FOLDER SOURCE_FOLDER
 
-Versions are those of the installed Debian packages, and of the NDK in PELAGIC_NDK. NOTICE has the same
-components. Fails if the headers that the builds in SOURCE_FOLDER/build included belong to other Debian packages.
+Versions are those of the installed Debian packages, of the Debian sources that windows_libraries.sh built,
+and of the NDK in PELAGIC_NDK. NOTICE has the same components. Fails if the headers that the builds in
+SOURCE_FOLDER/build included belong to other Debian packages.
 """
 import datetime
 import hashlib
@@ -19,7 +20,7 @@ import sys
 import artefact
 
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
-# Name in NOTICE: Debian package, licence, home page.
+# Name in NOTICE: Debian package, or "source" and a source package, licence, home page.
 COMPONENTS = {
     "xsimd": ("libxsimd-dev", "BSD-3-Clause AND BSL-1.0", "https://github.com/xtensor-stack/xsimd"),
     "xxHash": ("libxxhash-dev", "BSD-2-Clause", "https://github.com/Cyan4973/xxHash"),
@@ -31,6 +32,9 @@ COMPONENTS = {
     "OpenImageIO": ("libopenimageio-dev", "BSD-3-Clause AND Apache-2.0 AND MIT", "https://github.com/OpenImageIO/oiio"),
     "Imath": ("libimath-dev", "BSD-3-Clause", "https://github.com/AcademySoftwareFoundation/Imath"),
     "OpenEXR": ("libopenexr-dev", "BSD-3-Clause", "https://github.com/AcademySoftwareFoundation/openexr"),
+    "libpng": ("source libpng1.6", "libpng-2.0", "http://www.libpng.org/pub/png/libpng.html"),
+    "zlib": ("libz-mingw-w64-dev", "Zlib", "https://zlib.net"),
+    "Zstandard": ("source libzstd", "BSD-3-Clause", "https://github.com/facebook/zstd"),
     "Dear ImGui": ("libimgui-dev", "MIT", "https://github.com/ocornut/imgui"),
     "stb": ("libstb-dev", "MIT OR Unlicense", "https://github.com/nothings/stb"),
     "Emscripten": ("emscripten", "MIT OR NCSA", "https://github.com/emscripten-core/emscripten"),
@@ -46,6 +50,7 @@ MODULE = ["xsimd", "xxHash"]
 COMMAND = ["CLI11", "toml++", "nlohmann-json"]
 IMAGES = ["stb", "OpenImageIO", "Imath", "OpenEXR", "Dear ImGui"]
 WINDOWS = ["mingw-w64", "libstdc++"]
+WINDOWS_IMAGES = ["stb", "Imath", "OpenEXR", "libpng", "zlib", "Zstandard"]
 # Patterns of file names, first match.
 CONTENTS = [
     (r"libpelagic[\d.]+_.*\.deb", [*LIBRARY, "oneTBB"]),
@@ -53,7 +58,7 @@ CONTENTS = [
     (r"pelagic_[\d.]+-.*\.deb", [*LIBRARY, "oneTBB", *COMMAND, *IMAGES]),
     (r"pelagic-[\d.]+-linux-x86_64\.tar\.gz", [*LIBRARY, *COMMAND, *IMAGES]),
     (r"pelagic-[\d.]+-linux-arm64\.tar\.gz", [*LIBRARY, *COMMAND]),
-    (r"pelagic-[\d.]+-windows-x86_64\.zip", [*LIBRARY, *COMMAND, *WINDOWS]),
+    (r"pelagic-[\d.]+-windows-x86_64\.zip", [*LIBRARY, *COMMAND, *WINDOWS_IMAGES, *WINDOWS]),
     (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", LIBRARY),
     (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "dlmalloc", "libc++"]),
     (r"pelagic-godot3-.*\.zip", LIBRARY),
@@ -70,13 +75,28 @@ BUILDS = {
     "android-arm64-v8a": r"pelagic-.*-android\.(aar|zip)",
     "web-threads": r"pelagic-[\d.]+\.tgz",
 }
+# Headers of windows_libraries.sh, by the start of their names: the owner that COMPONENTS names.
+WINDOWS_HEADERS = {"OpenEXR": "libopenexr-dev", "Imath": "libimath-dev", "png": "source libpng1.6", "libpng": "source libpng1.6",
+                   "zstd": "source libzstd"}
 # Owners of headers that compile nothing in: those of the systems' compilers, and of libraries that
-# are linked at run time.
+# are linked at run time or behind another one.
 INTERFACES = re.compile(r"libc6-.*|libgcc-.*|libstdc\+\+-.*|libc\+\+-.*|linux-libc-.*|libclang-.*|gcc-mingw-.*|mingw-.*|libegl-dev|libgles-dev|libgl-dev|"
-                        r"libglfw3-dev|libzstd-dev")
+                        r"libglfw3-dev|libzstd-dev|libz-mingw-.*")
 
 
-def version_of(package):
+def source_versions(source):
+    """Versions of the Debian sources that windows_libraries.sh built in a folder with the sources."""
+    file = source / "build/windows-libraries/versions"
+    versions = dict(line.split() for line in file.read_text().splitlines()) if file.exists() else {}
+    for name, debian in (("openexr", "libopenexr-dev"), ("imath", "libimath-dev")):
+        if name in versions and versions[name] != version_of(debian, {}):
+            sys.exit(f"bill_of_materials.py: {file} has {name} {versions[name]}, expected that of {debian}, {version_of(debian, {})}")
+    return versions
+
+
+def version_of(package, sources):
+    if package is not None and package.startswith("source "):
+        return sources.get(package.split()[1]) or sys.exit(f"bill_of_materials.py: build/windows-libraries has no {package}")
     if package is None:
         return re.search(r"Pkg\.Revision *= *(\S+)", pathlib.Path(os.environ["PELAGIC_NDK"], "source.properties").read_text())[1]
     shown = subprocess.run(["dpkg-query", "-W", "-f", "${Version}\n", package], capture_output=True, text=True)
@@ -93,13 +113,14 @@ def package(name, version, supplier, declared, concluded, **more):
             "copyrightText": "NOASSERTION", **more}
 
 
-def component(name):
+def component(name, sources):
     debian, licence, page = COMPONENTS[name]
-    version = version_of(debian)
+    version = version_of(debian, sources)
     if debian is None:
         return package(name, version, "Google", licence, licence, homepage=page, sourceInfo="Libraries of the Android NDK")
-    locator = f"pkg:deb/debian/{debian}@{version}?distro=bookworm".replace("+", "%2B")
-    return package(name, version, "Debian", licence, licence, homepage=page, sourceInfo=f"Code and version of Debian's package {debian}",
+    kind, _, debian = debian.rpartition(" ")
+    locator = f"pkg:deb/debian/{debian}@{version}?{'arch=source&' if kind else ''}distro=bookworm".replace("+", "%2B")
+    return package(name, version, "Debian", licence, licence, homepage=page, sourceInfo=f"Code and version of Debian's {(kind + ' package').strip()} {debian}",
                    externalRefs=[{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl", "referenceLocator": locator}])
 
 
@@ -114,9 +135,10 @@ def owners_of_headers(build):
     text = "\n".join(file.read_text() for file in build.rglob("*.d") if file.is_file())
     text = re.sub(r"[^\s:\\]*/linked-headers/", "/usr/include/", text)  # linked_headers.cmake
     headers = {os.path.realpath(name) for name in re.findall(r"/[^\s:\\]+", text)}
+    built = {owner for name in headers for start, owner in WINDOWS_HEADERS.items() if f"/windows-libraries/include/{start}" in name}
     headers = sorted(name for name in headers if name.startswith("/usr/"))
     found = subprocess.run(["dpkg-query", "-S", *headers], capture_output=True, text=True, check=True).stdout
-    owners = {owner.split(":")[0] for line in found.splitlines() for owner in line.partition(": ")[0].split(", ")}
+    owners = built | {owner.split(":")[0] for line in found.splitlines() for owner in line.partition(": ")[0].split(", ")}
     return {owner for owner in owners if not INTERFACES.fullmatch(owner)}
 
 
@@ -154,7 +176,8 @@ def main():
         contents[file.name] = found
     check_builds(source, contents)
     used = set().union(*contents.values())
-    packages += [component(name) for name in COMPONENTS if name in used]
+    sources = source_versions(source)
+    packages += [component(name, sources) for name in COMPONENTS if name in used]
     commit = subprocess.run(["git", "-C", SOURCE, "rev-parse", "HEAD"], capture_output=True, text=True, check=True).stdout.strip()
     created = datetime.datetime.fromtimestamp(int(os.environ["SOURCE_DATE_EPOCH"]), datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     document = {

@@ -220,9 +220,17 @@ def share_a_folder():
     first.kill()
     first.wait()
     expect(code == 2 and error.count("\n") == 1 and "another export is at work there and holds .sea.lock" in error, code, error)
-    # The lock of a killed process is free. A finished export is replaced.
+    # The lock of a killed process is free. Images that it had not recorded stay.
     accepted_by_windows("export", "shared", *options, "--overwrite")
+    for name in set(files_of(work / "shared")) - set(files_of(work / "whole9")):
+        expect(int(re.fullmatch(r"\w+_(\d{4,6})\.\w+", name)[1]) >= 9, name)
+        (work / "shared" / name).unlink()
     expect_equal_folders(work / "whole9", work / "shared", "an export that replaces another")
+    # Two exports at once in folders of their own.
+    pair = [start(windows, "export", f"pair{number}", *options) for number in range(2)]
+    for number, export in enumerate(pair):
+        expect(export.wait(timeout=120) == 0, export.communicate())
+        expect_equal_folders(work / "whole9", work / f"pair{number}", "two exports at once")
 
 
 def export_to_odd_places():

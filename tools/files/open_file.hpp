@@ -1,12 +1,10 @@
-// Operating-system functions for files, streams and arguments, implemented in open_file_posix.cpp and
+// Operating-system functions for files and streams, implemented in open_file_posix.cpp and
 // open_file_windows.cpp.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "pelagic/tools/files/descriptor.hpp"
 
@@ -44,9 +42,6 @@ class SilentStderr {
    private:
     Descriptor kept_;
 };
-
-/// Returns the arguments of main() in UTF-8.
-std::vector<std::string> utf8_arguments(int argc, const char* const* argv);
 
 /// Switches standard input and output to binary mode, so that a line ends with "\n" on every
 /// system, and a console to UTF-8.

@@ -38,8 +38,6 @@ SilentStderr::~SilentStderr() {
     if (kept_.is_open()) ::dup2(kept_.get(), STDERR_FILENO);
 }
 
-std::vector<std::string> utf8_arguments(int argc, const char* const* argv) { return {argv, argv + argc}; }
-
 void keep_bytes_as_they_are() {}  // POSIX streams are binary already
 
 }  // namespace pelagic::tools

@@ -4,9 +4,6 @@
 #include <io.h>
 #include <windows.h>
 
-// after windows.h
-#include <shellapi.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
@@ -107,22 +104,12 @@ SilentStderr::~SilentStderr() {
     if (kept_.is_open()) ::_dup2(kept_.get(), ::_fileno(stderr));
 }
 
-std::vector<std::string> utf8_arguments(int argc, const char* const* argv) {
-    int count = 0;
-    wchar_t** const wide = ::CommandLineToArgvW(::GetCommandLineW(), &count);
-    if (!wide) return {argv, argv + argc};
-    std::vector<std::string> arguments;
-    for (int i = 0; i < count; ++i) {
-        std::string argument(static_cast<std::size_t>(
-                                 ::WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, nullptr, 0, nullptr, nullptr)),
-                             '\0');
-        ::WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, argument.data(), static_cast<int>(argument.size()), nullptr,
-                              nullptr);
-        argument.pop_back();  // the null at the end
-        arguments.push_back(std::move(argument));
-    }
-    ::LocalFree(wide);
-    return arguments;
+std::string utf8_of(const wchar_t* text) {
+    const int size = ::WideCharToMultiByte(CP_UTF8, 0, text, -1, nullptr, 0, nullptr, nullptr);  // with the null
+    std::string utf8(static_cast<std::size_t>(size), '\0');
+    ::WideCharToMultiByte(CP_UTF8, 0, text, -1, utf8.data(), size, nullptr, nullptr);
+    utf8.resize(utf8.size() - 1);
+    return utf8;
 }
 
 void keep_bytes_as_they_are() {

@@ -1,7 +1,8 @@
-// Functions that open_file_windows.cpp and output_folder_windows.cpp share.
+// Functions for Windows only.
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "pelagic/tools/files/descriptor.hpp"
 
@@ -14,5 +15,8 @@ Descriptor open_binary(const std::filesystem::path& file, int how);
 
 /// Returns the errno of GetLastError().
 int errno_of_last_error();
+
+/// Converts UTF-16, such as an argument of the command line.
+std::string utf8_of(const wchar_t* text);
 
 }  // namespace pelagic::tools
