@@ -2,7 +2,7 @@
 # Builds the packages of the current commit into dist/, from a clean clone, and tests each of them:
 #
 #   ./release.sh              all parts
-#   ./release.sh PART...      some: debian linux arm64 windows python blender npm godot3 android unity
+#   ./release.sh PART...      some: debian linux arm64 windows python blender npm godot3 godot4 android unity
 #   ./release.sh --twice ...  builds them again in another folder, and compares the bytes
 #   ./release.sh --ndk PATH   with the part android, which needs the Android NDK, r26 or later
 #
@@ -25,7 +25,7 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-[ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot3 ${ndk:+android} unity)
+[ ${#parts[@]} -gt 0 ] || parts=(debian linux arm64 windows python blender npm godot3 godot4 ${ndk:+android} unity)
 if [[ " ${parts[*]} " == *" android "* ]]; then
   [ -n "$ndk" ] || { echo "release.sh: android needs --ndk PATH, the folder of an Android NDK, r26 or later" >&2 && exit 2; }
   packaging/android_ndk.sh "$ndk" >/dev/null || exit 2
@@ -50,6 +50,7 @@ for part in "${parts[@]}"; do
       command -v npm >/dev/null || packages+=(npm)
       ;;
     godot3) packages+=(godot3-server unzip) ;;
+    godot4) packages+=(unzip) ;;
     android)
       packages+=(unzip)
       [[ $earlier != *" unity "* ]] || { echo "release.sh: unity needs the part android before it" >&2 && exit 2; }
@@ -58,7 +59,7 @@ for part in "${parts[@]}"; do
       packages+=(mono-mcs mono-runtime unzip)
       [[ $earlier == *" linux "* && $earlier == *" windows "* ]] || { echo "release.sh: unity needs the parts linux and windows before it" >&2 && exit 2; }
       ;;
-    *) echo "release.sh: unknown part $part, accepted: debian linux arm64 windows python blender npm godot3 android unity" >&2 && exit 2 ;;
+    *) echo "release.sh: unknown part $part, accepted: debian linux arm64 windows python blender npm godot3 godot4 android unity" >&2 && exit 2 ;;
   esac
   earlier+=" $part "
 done

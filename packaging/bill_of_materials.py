@@ -61,7 +61,7 @@ CONTENTS = [
     (r"pelagic-[\d.]+-windows-x86_64\.zip", [*LIBRARY, *COMMAND, *WINDOWS_IMAGES, *WINDOWS]),
     (r"pelagic-.*\.whl|pelagic_blender-.*\.zip", LIBRARY),
     (r"pelagic-[\d.]+\.tgz", [*MODULE, "Emscripten", "musl", "dlmalloc", "libc++"]),
-    (r"pelagic-godot3-.*\.zip", LIBRARY),
+    (r"pelagic-godot[34]-.*\.zip", LIBRARY),
     (r"pelagic-[\d.]+-android\.(aar|zip)", [*LIBRARY, "Android NDK"]),
     (r"com\.pelagic\.ocean-.*\.tgz", LIBRARY),  # and those of its plugins
 ]

@@ -59,6 +59,13 @@ build_godot3() {
   "$packaging/artefact.py" zip "$out/pelagic-godot3-$version-linux-x86_64.zip" build/linux/godot3 addons
 }
 
+build_godot4() {
+  configure_linux
+  cmake --build build/linux --target pelagic_godot4
+  cp LICENSE NOTICE build/linux/godot4/addons/pelagic
+  "$packaging/artefact.py" zip "$out/pelagic-godot4-$version-linux-x86_64.zip" build/linux/godot4 addons demo.tscn
+}
+
 build_arm64() {
   cmake --preset arm64 -B build/arm64-package "${without_extras[@]}" -DPELAGIC_TBB=OFF -DPELAGIC_TOOLS=ON -DPELAGIC_IMAGES=OFF \
     -DPELAGIC_PYTHON=ON -DCMAKE_SHARED_LINKER_FLAGS=-s

@@ -23,7 +23,7 @@ EXR, IMAGES = CXX | {"libOpenEXR-3_1.so.30"}, CXX | {"libOpenImageIO.so.2.4", "l
 WINDOWS = native_library.WINDOWS_LIBRARIES
 ANDROID = r"com\.pelagic\.ocean-.*\.tgz|pelagic-.*-android\.(aar|zip)"
 ARM_PAGE = 65536  # of some kernels
-C, GODOT, NOTHING = "pelagic.symbols", "godot3.symbols", None
+C, GODOT, GODOT_4, NOTHING = "pelagic.symbols", "godot3.symbols", "godot4.symbols", None
 # Patterns of artefacts and of files in them: processor, libraries of the system, list of exports, other options of
 # problems().
 RULES = [
@@ -39,6 +39,8 @@ RULES = [
     (r".*_x86_64\.whl", r"pelagic/libpelagic_c\.so", "x86-64", CXX, C, {}),
     (r"pelagic_blender-.*\.zip", r"pelagic_ocean/python/pelagic/libpelagic_c\.so", "x86-64", CXX, C, {}),
     (r"pelagic-godot3-.*\.zip", r"addons/pelagic/libpelagic_godot3\.so", "x86-64", CXX, GODOT, {}),
+    (r"pelagic-godot4-.*\.zip", r"addons/pelagic/libpelagic_godot4\.so", "x86-64", CXX | {"libpelagic_c.so.1"}, GODOT_4, {}),
+    (r"pelagic-godot4-.*\.zip", r"addons/pelagic/libpelagic_c\.so\.1", "x86-64", CXX, C, {}),
     (r".*-windows-x86_64\.zip", r".*/bin/pelagic\.dll", "x86-64", WINDOWS, C, {}),
     (r".*-windows-x86_64\.zip", r".*/bin/pelagic\.exe", "x86-64", WINDOWS, NOTHING, {}),
     (r"com\.pelagic\.ocean-.*\.tgz", r"package/Plugins/Linux/libpelagic_c\.so", "x86-64", CXX, C, {}),

@@ -181,6 +181,18 @@ test_godot3() {
   grep -q "^$(printf %16s "$(sed -n 's/^preset-moderate@12.34 //p' "$source/tests/golden/hashes.txt")" | tr ' ' 0) " <<<"$answer" || { echo "$answer"; return 1; }
 }
 
+# No Debian package has Godot 4: a program stands in for it.
+test_godot4() {
+  local zip=$dist/pelagic-godot4-$version-linux-x86_64.zip answer
+  check godot4 "$zip"
+  "$packaging/artefact.py" glibc "$newest_glibc" "$zip"
+  unzip -q "$zip" -d "$work/godot4"
+  g++ -std=c++20 -O1 "-DGDEXTENSION_INTERFACE=\"$source/contrib/godot4/gdextension_interface.h\"" \
+    "$source/tests/godot4/stand_in.cpp" -o "$work/stand_in"
+  answer=$("$work/stand_in" "$work/godot4/addons/pelagic/libpelagic_godot4.so" 2)
+  grep -q "^hash $(printf %16s "$(sed -n 's/^preset-moderate@12.34 //p' "$source/tests/golden/hashes.txt")" | tr ' ' 0)$" <<<"$answer" || { echo "$answer"; return 1; }
+}
+
 # Links the C application for each processor, with the header and the library of the prefab package.
 test_android() {
   local stem=$dist/pelagic-$version-android tools=$PELAGIC_NDK/toolchains/llvm/prebuilt/linux-x86_64/bin abi

@@ -1,15 +1,13 @@
 #include "pelagic/contrib/godot3/mesh_reader.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "pelagic/contrib/godot3/close_seams.hpp"
 #include "pelagic/message/invalid_value_message.hpp"
 #include "pelagic/message/require.hpp"
 
@@ -68,33 +66,6 @@ void append(const Surface& surface, Corners& corners) {
         for (const int number : elements.all()) append_number(static_cast<std::size_t>(number));
     } else {
         for (std::size_t i = 0; i < positions.all().size(); ++i) append_number(i);
-    }
-}
-
-/// Moves vertices that are apart by rounding to one position. The engine's round meshes end at the
-/// angle 2 pi, whose sine is not 0.
-void close_seams(std::vector<glm::dvec3>& vertices_m) {
-    double size_m = 0;
-    for (const glm::dvec3& v : vertices_m)
-        size_m = std::max({size_m, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-    const auto is_finite = [](const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); };
-    // HullMesh reports a number that is not finite.
-    if (!std::all_of(vertices_m.begin(), vertices_m.end(), is_finite)) return;
-    const double near_m = 1e-6 * size_m;
-    std::vector<std::size_t> order(vertices_m.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return vertices_m[a].x < vertices_m[b].x; });
-    std::vector<bool> is_placed(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (is_placed[order[i]]) continue;
-        const glm::dvec3 at = vertices_m[order[i]];
-        for (std::size_t j = i + 1; j < order.size() && vertices_m[order[j]].x - at.x <= near_m; ++j) {
-            glm::dvec3& other = vertices_m[order[j]];
-            if (std::fabs(other.y - at.y) > near_m || std::fabs(other.z - at.z) > near_m) continue;
-            is_placed[order[j]] = true;
-            other = at;
-        }
     }
 }
 

@@ -14,7 +14,7 @@ from engine import run, run_headless
 
 source, build, golden_file = sys.argv[1:]
 golden = dict(line.split() for line in Path(golden_file).read_text().splitlines())
-page = Path(source, "docs/integrations/godot.md").read_text()
+page = Path(source, "docs/integrations/godot.md").read_text().split("\n## Godot 4\n")[0]
 reference = Path(source, "contrib/godot3/README.md").read_text()
 lines = re.findall(r"^    (\S.*)$", page, re.MULTILINE)
 scripts = dict(re.findall(r"`(\w+\.gd)`[^`]*:\n\n```gdscript\n(.*?)^```$", page + reference, re.MULTILINE | re.DOTALL))

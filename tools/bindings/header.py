@@ -7,6 +7,7 @@ usage: header.py            compares the files in the tree with what would be ge
 
 unity/Runtime/Native.g.cs        structs with their defaults, enums and functions for C#
 python/pelagic/_native.py        structs with their defaults, constants and functions for Python's ctypes
+contrib/godot4/options.g.hpp     options for the properties of Godot 4, with ranges of schema/*.toml
 docs/api.md                      the table of functions
 """
 import difflib
@@ -18,6 +19,7 @@ import c_header
 import c_layout
 import csharp
 import function_table
+import godot4
 import python_layouts
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
@@ -32,6 +34,7 @@ def generated(header):
     page = SOURCE / "docs/api.md"
     yield SOURCE / "unity/Runtime/Native.g.cs", csharp.write(header)
     yield SOURCE / "python/pelagic/_native.py", python_layouts.write(header)
+    yield SOURCE / "contrib/godot4/options.g.hpp", godot4.write(header)
     yield page, function_table.write(header, page.read_text())
 
 
