@@ -13,14 +13,7 @@ constexpr int after_ocean = -900;
 void Buoy::enter_tree() { self().call("set_process_priority", after_ocean); }
 
 void Buoy::process(double) {
-    try {
-        follow();
-        reported_.clear();
-    } catch (const std::exception& error) {
-        if (reported_ == error.what()) return;
-        reported_ = error.what();
-        throw;
-    }
+    run_in_frame([&] { follow(); });
 }
 
 void Buoy::follow() {

@@ -18,7 +18,6 @@ class Buoy final : public Node {
     Value ocean_;
     double offset_m_ = 0;
     bool tilts_ = false;
-    std::string reported_;
 };
 
 }  // namespace pelagic::godot4

@@ -90,15 +90,7 @@ void Hull::press(double time_s) {
 }
 
 void Hull::physics_process(double seconds) {
-    if (!is_playing_) return;
-    try {
-        step(seconds);
-        reported_.clear();
-    } catch (const std::exception& error) {
-        if (reported_ == error.what()) return;
-        reported_ = error.what();
-        throw;
-    }
+    if (is_playing_) run_in_frame([&] { step(seconds); });
 }
 
 pelagic_hull* Hull::make(const pelagic_hull_options& options, const std::optional<Vector>& centre,

@@ -59,7 +59,6 @@ class Hull final : public Node, public Swimmer {
     std::uint32_t number_ = 0;
     double unpressed_s_ = 0;              ///< of steps since the last press()
     std::optional<double> pressed_at_s_;  ///< time of the frame of the last press()
-    std::string reported_;                ///< by physics_process()
 };
 
 }  // namespace pelagic::godot4

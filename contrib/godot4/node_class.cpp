@@ -224,6 +224,8 @@ GDExtensionClassCallVirtual NodeClass::virtual_of(void* data, GDExtensionConstSt
         {"_exit_tree", exit_tree},
         {"_process", process},
         {"_physics_process", physics_process}};
+    // The editor would run the nodes of the scene that it edits, and save where they have moved.
+    if (Value::singleton("Engine").call("is_editor_hint").boolean()) return nullptr;
     for (const std::string& own : static_cast<NodeClass*>(data)->virtuals_)
         for (const auto& [virtual_name, function] : all)
             if (own == virtual_name && named(own).is(name)) return function;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <span>
@@ -33,8 +34,24 @@ class Node {
     void reject(std::string_view line) const;
 
    protected:
+    /// Runs `work` in each frame: throws the reason for which it fails once, until it succeeds.
+    template <class Work>
+    void run_in_frame(const Work& work) {
+        try {
+            work();
+            reported_.clear();
+        } catch (const std::exception& error) {
+            if (reported_ == error.what()) return;
+            reported_ = error.what();
+            throw;
+        }
+    }
+
     Object* self_;
     const char* class_name_;
+
+   private:
+    std::string reported_;
 };
 
 struct Argument {

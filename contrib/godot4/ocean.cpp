@@ -66,6 +66,21 @@ std::uint32_t source_number(const Value& value) {
     return static_cast<std::uint32_t>(number);
 }
 
+/// Depth of still water, bilinear; beyond the rectangle that of its edge.
+float depth_at(const pelagic_shore_surface& shore, double x_m, double z_m) {
+    const auto texel = [&](double metres, double corner_m, int count) {
+        return std::clamp((metres - corner_m) / shore.texel_m, 0.0, count - 1.0);
+    };
+    const double x = texel(x_m, shore.x_m, shore.columns), z = texel(z_m, shore.z_m, shore.rows);
+    const int i = std::min(static_cast<int>(x), shore.columns - 2), j = std::min(static_cast<int>(z), shore.rows - 2);
+    const auto at = [&](int column, int row) {
+        return static_cast<double>(shore.depth_m[row * shore.columns + column]);
+    };
+    const double north = at(i, j) + (x - i) * (at(i + 1, j) - at(i, j));
+    const double south = at(i, j + 1) + (x - i) * (at(i + 1, j + 1) - at(i, j + 1));
+    return static_cast<float>(north + (z - j) * (south - north));
+}
+
 pelagic_disturbance disturbance_of(const Value& dictionary) {
     pelagic_disturbance read = pelagic_disturbance_make();
     read_dictionary(disturbance_table, &read, dictionary, "disturbance");
@@ -144,8 +159,10 @@ void Ocean::make() {
     ocean_ = ocean;
     has_dynamic_waves_ = settings_.has_dynamic_waves;
     has_spray_ = settings_.has_spray;
+    has_shore_ = has_shore;
     if (!has_shore) require(pelagic_ocean_set_water_frame(ocean_, &settings_.water));
     require(pelagic_ocean_set_origin(ocean_, origin_x_m_, origin_z_m_));
+    if (has_spray_) require(pelagic_ocean_set_spray_center(ocean_, spray_x_m_, spray_z_m_));
 }
 
 void Ocean::start(double time_s) {
@@ -190,8 +207,10 @@ void Ocean::process(double seconds) {
         time_s_ = in_flight_.value_or(time_s_ + seconds);
         is_awaited_ = true;
     }
-    frame();
-    if (is_playing_) start(time_s_ + seconds);
+    run_in_frame([&] {
+        frame();
+        if (is_playing_) start(time_s_ + seconds);
+    });
 }
 
 void Ocean::set_time(double time_s) {
@@ -210,6 +229,8 @@ void Ocean::set_water(const pelagic_water_frame& water) {
 void Ocean::set_origin(double x_m, double z_m) {
     for (const auto& [name, value] : {std::pair("x_m", x_m), {"z_m", z_m}})
         if (!(std::fabs(value) <= 1e8)) refuse(name, Value(value).text(), "[-1e8, 1e8]");
+    spray_x_m_ += origin_x_m_ - x_m;
+    spray_z_m_ += origin_z_m_ - z_m;
     origin_x_m_ = x_m;
     origin_z_m_ = z_m;
     if (!ocean_) return;
@@ -293,6 +314,13 @@ Value Ocean::query(std::span<const Vector3> places) {
     Value answers = Value::empty(type_dictionary);
     answers.set("height", Value::packed(heights)).set("normal", vectors(n));
     if (settings_.velocities) answers.set("velocity", vectors(v));
+    if (has_shore_) {
+        pelagic_shore_surface shore;
+        require(pelagic_ocean_shore(ocean_, &shore));
+        std::vector<float> depths(count);
+        for (std::size_t i = 0; i < count; ++i) depths[i] = depth_at(shore, x[i] + origin_x_m_, z[i] + origin_z_m_);
+        answers.set("depth", Value::packed(depths));
+    }
     return answers;
 }
 
@@ -525,11 +553,14 @@ NodeClass& Ocean::description() {
             return ocean(node).waves(), ocean(node).hash(PELAGIC_HASH_DYNAMIC_WAVES);
         });
         of.method("set_spray_center", {{"place", type_vector3}}, type_nil, [=](Node& node, Arguments of_call) {
-            ocean(node).need_spray();
+            Ocean& it = ocean(node);
+            it.need_spray();
             const Vector3 place = of_call[0].vector();
-            return require(pelagic_ocean_set_spray_center(ocean(node).ocean_, static_cast<double>(place.x),
-                                                          static_cast<double>(place.z))),
-                   Value();
+            const double x_m = static_cast<double>(place.x), z_m = static_cast<double>(place.z);
+            require(pelagic_ocean_set_spray_center(it.ocean_, x_m, z_m));
+            it.spray_x_m_ = x_m;
+            it.spray_z_m_ = z_m;
+            return Value();
         });
         of.method("emit_spray", {{"emitter", type_dictionary}}, type_nil, [=](Node& node, Arguments of_call) {
             pelagic_spray_emitter emitter = pelagic_spray_emitter_make();

@@ -101,10 +101,10 @@ class Ocean final : public Node {
     Value droplets();
 
     OceanSettings settings_;
-    bool is_stale_ = true, has_dynamic_waves_ = false, has_spray_ = false;
+    bool is_stale_ = true, has_dynamic_waves_ = false, has_spray_ = false, has_shore_ = false;
     pelagic_ocean* ocean_ = nullptr;
     pelagic_frame frame_{};
-    double time_s_ = 0, origin_x_m_ = 0, origin_z_m_ = 0;
+    double time_s_ = 0, origin_x_m_ = 0, origin_z_m_ = 0, spray_x_m_ = 0, spray_z_m_ = 0;
     bool is_playing_ = true;
     bool is_awaited_ = true;           ///< frame_ is older than time_s_
     bool is_restored_ = false;         ///< the dynamic waves, since the last frame was scheduled

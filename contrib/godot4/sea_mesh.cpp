@@ -102,17 +102,11 @@ Value SeaMesh::surface_arrays() const {
 }
 
 void SeaMesh::process(double) {
-    try {
-        draw();
-        reported_.clear();
-    } catch (const std::exception& error) {
-        if (reported_ == error.what()) return;
-        reported_ = error.what();
-        throw;
-    }
+    run_in_frame([&] { draw(); });
 }
 
 void SeaMesh::draw() {
+    if (!self().call("is_visible_in_tree").boolean()) return;
     Ocean& ocean = Ocean::at(self(), ocean_);
     const pelagic_frame& frame = ocean.frame();
     if (!has_mesh_) {

@@ -36,7 +36,6 @@ class SeaMesh final : public Node {
     std::uint64_t drawn_ = 0;              ///< number of the frame
     const void* drawn_ocean_ = nullptr;    ///< whose textures these are
     std::vector<std::uint64_t> versions_;  ///< of the images of foam
-    std::string reported_;
 };
 
 }  // namespace pelagic::godot4

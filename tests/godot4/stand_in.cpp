@@ -18,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include GDEXTENSION_INTERFACE
@@ -357,10 +358,12 @@ void name_of_string(GDExtensionUninitializedTypePtr to, const GDExtensionConstTy
     *static_cast<Interned**>(to) = name_of((*static_cast<String* const*>(from[0]))->text);
 }
 
-#define TYPES(F)                                                                                          \
-    F(t_bool)                                                                                             \
-    F(t_int) F(t_float) F(t_string) F(t_vector3) F(t_vector4) F(t_box) F(t_transform) F(t_name) F(t_path) \
-        F(t_object) F(t_table) F(t_list) F(t_bytes) F(t_ints) F(t_floats) F(t_vectors)
+#define TYPES(F)                                                                                             \
+    F(t_bool)                                                                                                \
+    F(t_int)                                                                                                 \
+    F(t_float)                                                                                               \
+    F(t_string) F(t_vector3) F(t_vector4) F(t_box) F(t_transform) F(t_name) F(t_path) F(t_object) F(t_table) \
+        F(t_list) F(t_bytes) F(t_ints) F(t_floats) F(t_vectors)
 GDExtensionVariantFromTypeConstructorFunc from_type_constructor(GDExtensionVariantType type) {
 #define CASE(t) \
     if (static_cast<int>(type) == t) return from_type<t>;
@@ -421,6 +424,8 @@ std::map<std::string, Registered> classes;
 int library_token;
 std::vector<std::string> errors;
 Thing* root = nullptr;
+Thing* engine_singleton = nullptr;
+bool is_editor = false;
 Thing* camera = nullptr;
 
 bool is_reference(const std::string& class_name) {
@@ -477,7 +482,9 @@ Var call_engine(Thing& it, const std::string& method, const std::vector<Var>& gi
     if (is_node && method == "set_process_priority") return arguments(1), Var();
     if (is_node && method == "get_viewport") return arguments(0), of_thing(root);
     if (&it == root && method == "get_camera_3d") return arguments(0), of_thing(camera);
+    if (it.class_name == "Engine" && method == "is_editor_hint") return arguments(0), made(is_editor);
     // Node3D
+    if (is_node && method == "is_visible_in_tree") return arguments(0), made(true);
     if (is_node && method == "set_as_top_level") return arguments(1), Var();
     if (is_node && method == "get_global_transform") return arguments(0), buffer_of(t_transform, it.pose.data(), 48);
     if (is_node && method == "set_global_transform") {
@@ -522,7 +529,7 @@ Var call_engine(Thing& it, const std::string& method, const std::vector<Var>& gi
         if (method == "update_layer") {
             arguments(2);
             need(number(given[1]) < static_cast<double>(it.values["images"].list->all.size()), "the layer exists");
-            return it.values["updated"] = given[0], Var();
+            return it.values["images"].list->all[static_cast<std::size_t>(number(given[1]))] = given[0], Var();
         }
     }
     fail("the engine's class " + it.class_name + " has no method " + method);
@@ -621,7 +628,10 @@ void ref_set_object(GDExtensionRefPtr ref, GDExtensionObjectPtr object) {
     if (at) release(at);
     at = static_cast<Thing*>(object);
 }
-GDExtensionObjectPtr global_get_singleton(GDExtensionConstStringNamePtr) { return nullptr; }
+GDExtensionObjectPtr global_get_singleton(GDExtensionConstStringNamePtr name) {
+    need(text_of(name) == "Engine", "the singleton is Engine");
+    return engine_singleton;
+}
 void object_set_instance(GDExtensionObjectPtr object, GDExtensionConstStringNamePtr name,
                          GDExtensionClassInstancePtr instance) {
     static_cast<Thing*>(object)->extension_class = text_of(name);
@@ -865,6 +875,44 @@ void need_watertight(const Var& arrays, double side_m) {
     need(border > 0, "the mesh has a border");
 }
 
+double of_half(std::uint16_t half) {
+    const int exponent = half >> 10 & 31, mantissa = half & 1023;
+    const double size = exponent ? std::ldexp(1024 + mantissa, exponent - 25) : std::ldexp(mantissa, -24);
+    return half & 0x8000 ? -size : size;
+}
+
+/// What sea.gdshader's vertex() computes at mip 0 from the material's uniforms and textures lies on the surface that
+/// height_at() returns. Half floats have 11 bits: heights of up to 2 m are exact to 0.5 mm, and so are displacements.
+void need_drawn_surface(Thing& ocean, Thing& sea, Thing& material) {
+    const std::vector<Var>& images = material.values.at("displacement").thing->values.at("images").list->all;
+    for (const std::array<double, 2> rest : {std::array{0.0, 0.0}, {3.3, -7.1}, {-20.4, 11.9}, {5.0, 30.2}}) {
+        std::array<double, 3> moved{};
+        for (std::size_t cascade = 0; cascade < images.size(); ++cascade) {
+            const auto texels = elements<std::uint16_t>(images[cascade].thing->values.at("data"));
+            const int n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(texels.size()) / 4)));
+            const float* const place = material.values.at("cascade_place_" + std::to_string(cascade)).floats;
+            // Texture coordinates less half a texel, in texels.
+            const double u = (double{place[0]} + double{place[2]} * rest[0] + double{place[3]} * rest[1]) * n - 0.5;
+            const double v = (double{place[1]} + double{place[2]} * rest[1] - double{place[3]} * rest[0]) * n - 0.5;
+            const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+            for (const auto& [column, row, weight] : {std::tuple{i, j, (i + 1 - u) * (j + 1 - v)},
+                                                      {i + 1, j, (u - i) * (j + 1 - v)},
+                                                      {i, j + 1, (i + 1 - u) * (v - j)},
+                                                      {i + 1, j + 1, (u - i) * (v - j)}})
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const int at = ((row % n + n) % n * n + (column % n + n) % n) * 4;
+                    moved[axis] += weight * of_half(texels[static_cast<std::size_t>(at) + axis]);
+                }
+        }
+        const double x = double{sea.pose[9]} + rest[0] + moved[0], z = double{sea.pose[11]} + rest[1] + moved[2];
+        const double height = double{sea.pose[10]} + moved[1];
+        const double queried =
+            number(call_method(ocean, "height_at", {vector(static_cast<float>(x), 0, static_cast<float>(z))}));
+        if (!(std::fabs(height - queried) < 2e-3))
+            fail("the drawn height is " + std::to_string(height) + ", the queried one " + std::to_string(queried));
+    }
+}
+
 void run(const char* library_file, int cycle, int cycles) {
     void* const library = dlopen(library_file, RTLD_NOW | RTLD_LOCAL);
     if (!library) fail(std::string("cannot load the library: ") + dlerror());
@@ -883,6 +931,8 @@ void run(const char* library_file, int cycle, int cycles) {
         for (const auto& [name, of] : classes)
             std::printf("class %s %s %zu properties\n", name.c_str(), of.parent.c_str(), of.properties.size());
 
+    engine_singleton = new Thing;
+    engine_singleton->class_name = "Engine";
     root = new Thing;
     root->class_name = "Window";
     root->is_in_tree = true;
@@ -1024,14 +1074,72 @@ void run(const char* library_file, int cycle, int cycles) {
             if (name != "init_ref") std::printf("uniform %s\n", name.c_str());
     need(errors.empty(), "the frames have no errors");
 
+    // A plane beach, whose depth is linear, and spray.
+    Thing* beach = instantiate("PelagicOcean", "beach");
+    std::vector<float> floor;
+    for (int z = 0; z < 32; ++z)
+        for (int x = 0; x < 32; ++x) floor.push_back(-20 + 1.25f * static_cast<float>(x));
+    set(*beach, "shore_heights_m", buffer_of(t_floats, floor.data(), 4 * floor.size()), true);
+    set(*beach, "shore_columns", made(std::int64_t{32}));
+    set(*beach, "shore_rows", made(std::int64_t{32}));
+    set(*beach, "shore_metres_per_sample", made(8.0));
+    set(*beach, "shore_resolution", made(std::int64_t{64}));
+    set(*beach, "resolution", made(std::int64_t{32}));
+    set(*beach, "spray", made(true));
+    const Var shallow = call_method(*beach, "query", {vectors({{40, 0, 100}, {60, 0, 100}})});
+    const auto depths = elements<float>(entry(shallow, "depth"));
+    // In texels of 4 m that the floor's 8 m are whole multiples of.
+    need(std::fabs(depths[0] - 13.75f) < 0.05f && std::fabs(depths[1] - 10.625f) < 0.05f,
+         "the depth of a plane beach");
+    call_method(*beach, "set_spray_center", {vector(40, 0, 100)});
+    call_method(*beach, "emit_spray",
+                {dictionary({{"count", made(std::int64_t{7})}, {"y_m", made(5.0)}, {"x_m", made(40.0)}})});
+    set(*beach, "time_s", made(0.1));
+    need(elements<float>(entry(call_method(*beach, "droplets", {}, true), "radius")).size() >= 7,
+         "droplets of the emitter");
+    call_method(*beach, "restore_spray", {call_method(*beach, "save_spray", {}, true)});
+    for (const std::string& line : errors) std::printf("%s\n", line.c_str());
+    need(errors.empty(), "the beach has no errors");
+    queue_free(beach);
+
+    // The drawn surface, with a sea level, a current and another origin.
+    Thing* plain = instantiate("PelagicOcean", "plain");
+    add_child(root, plain);
+    for (const auto& [property, value] : {std::pair{"wind_speed_mps", 8.0},
+                                          {"sea_level_m", 1.5},
+                                          {"current_x_mps", 0.5},
+                                          {"current_z_mps", -0.25},
+                                          {"time_s", 20.0},
+                                          {"resolution", 64.0}})
+        set(*plain, property, made(value));
+    set(*plain, "playing", made(false));
+    call_method(*plain, "set_origin", {made(30.0), made(-7.0)});
+    Thing* drawing = instantiate("PelagicMesh", "drawing");
+    Thing* paint = construct_thing("ShaderMaterial");
+    from_type<t_object>(&drawing->values["material_override"], &paint);
+    add_child(plain, drawing);
+    for (const double time_s : {20.0, 21.5}) {
+        set(*plain, "time_s", made(time_s));
+        run_virtual(*drawing, "_process", 1 / 60.0);
+        need_drawn_surface(*plain, *drawing, *paint);
+    }
+
     // A hull whose ocean is freed first, and a buoy without an ocean: one line, not one a frame.
     Thing* alone = instantiate("PelagicBuoy", "alone");
     add_child(root, alone);
     for (int frame = 0; frame < 3; ++frame) run_virtual(*alone, "_process", 1 / 60.0);
     need(alone->refused.size() == 1, "a reason is reported once");
     if (is_last) std::printf("refused PelagicBuoy: %s\n", alone->refused[0].c_str());
+    is_editor = true;
+    errors.clear();
+    Thing* edited = instantiate("PelagicBuoy", "edited");
+    add_child(root, edited);
+    run_virtual(*edited, "_process", 1 / 60.0);
+    need(errors.empty() && edited->refused.empty(), "the editor runs no node");
+    is_editor = false;
     queue_free(root);
     root = nullptr;
+    delete engine_singleton;
     for (int level = 3; level >= 0; --level)
         initialization.deinitialize(initialization.userdata, static_cast<GDExtensionInitializationLevel>(level));
     need(classes.empty(), "all classes are unregistered");
