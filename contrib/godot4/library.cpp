@@ -47,8 +47,6 @@ extern "C" __attribute__((visibility("default"))) GDExtensionBool pelagic_godot4
         return GDExtensionBool{0};
     };
     if (is_godot_4_0(get_function)) return refuse_to_load("the engine is Godot 4.0, expected 4.1 or later", "");
-    if (pelagic_version() < PELAGIC_VERSION_MAJOR * 10000 + PELAGIC_VERSION_MINOR * 100)
-        return refuse_to_load("libpelagic_c is older than this extension, expected the one beside it", "");
     if (const char* const missing = engine.load(get_function))
         return refuse_to_load(" is not in the engine's interface, expected Godot 4.1 or later", missing);
     engine.library = library;
