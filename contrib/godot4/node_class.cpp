@@ -225,10 +225,10 @@ GDExtensionClassCallVirtual NodeClass::virtual_of(void* data, GDExtensionConstSt
         {"_process", process},
         {"_physics_process", physics_process}};
     // The editor would run the nodes of the scene that it edits, and save where they have moved.
-    if (Value::singleton("Engine").call("is_editor_hint").boolean()) return nullptr;
+    const auto is_editor = [] { return Value::singleton("Engine").call("is_editor_hint").boolean(); };
     for (const std::string& own : static_cast<NodeClass*>(data)->virtuals_)
         for (const auto& [virtual_name, function] : all)
-            if (own == virtual_name && named(own).is(name)) return function;
+            if (own == virtual_name && named(own).is(name)) return is_editor() ? nullptr : function;
     return nullptr;
 }
 

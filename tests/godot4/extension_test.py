@@ -109,6 +109,9 @@ nodes = re.findall(r'^\[node name="(\w+)" type="(\w+)"(?: parent="([\w/.]+)")?',
 paths = {"."} | {f"{parent}/{name}".removeprefix("./") for name, _, parent in nodes if parent}
 assert all(parent in paths for _, _, parent in nodes if parent)
 assert {type_ for _, type_, _ in nodes if type_.startswith("Pelagic")} == registered, registered
+project = source / "contrib/godot4/project"
+listed = (project / ".godot/extension_list.cfg").read_text().splitlines()  # which the engine loads before any scene
+assert listed == ["res://addons/pelagic/pelagic.gdextension"] and (project / listed[0].removeprefix("res://")).exists(), listed
 description = (source / "contrib/godot4/project/addons/pelagic/pelagic.gdextension").read_text()
 assert 'entry_symbol = "pelagic_godot4_init"' in description and f"addons/pelagic/{Path(extension).name}" in description
 

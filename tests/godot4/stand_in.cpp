@@ -358,12 +358,14 @@ void name_of_string(GDExtensionUninitializedTypePtr to, const GDExtensionConstTy
     *static_cast<Interned**>(to) = name_of((*static_cast<String* const*>(from[0]))->text);
 }
 
-#define TYPES(F)                                                                                             \
-    F(t_bool)                                                                                                \
-    F(t_int)                                                                                                 \
-    F(t_float)                                                                                               \
-    F(t_string) F(t_vector3) F(t_vector4) F(t_box) F(t_transform) F(t_name) F(t_path) F(t_object) F(t_table) \
-        F(t_list) F(t_bytes) F(t_ints) F(t_floats) F(t_vectors)
+#define TYPES(F)                                                                                                   \
+    F(t_bool)                                                                                                      \
+    F(t_int)                                                                                                       \
+    F(t_float)                                                                                                     \
+    F(t_string)                                                                                                    \
+    F(t_vector3)                                                                                                   \
+    F(t_vector4) F(t_box) F(t_transform) F(t_name) F(t_path) F(t_object) F(t_table) F(t_list) F(t_bytes) F(t_ints) \
+        F(t_floats) F(t_vectors)
 GDExtensionVariantFromTypeConstructorFunc from_type_constructor(GDExtensionVariantType type) {
 #define CASE(t) \
     if (static_cast<int>(type) == t) return from_type<t>;
@@ -942,6 +944,8 @@ void run(const char* library_file, int cycle, int cycles) {
 
     Thing* ocean = instantiate("PelagicOcean", "ocean");
     set(*ocean, "preset", made("moderate"));
+    // The last cycle's results are compared with those of the library; the others have small seas and few steps.
+    if (!is_last) set(*ocean, "resolution", made(std::int64_t{32}));
     set(*ocean, "threads", made(std::int64_t{1}));
     set(*ocean, "time_s", made(12.34), true);
     add_child(root, ocean);
@@ -1026,7 +1030,7 @@ void run(const char* library_file, int cycle, int cycles) {
     set(*hull, "centre_of_mass_m", vector(0, -0.25f, 0));
     set(*hull, "force_n", vector(500, 0, 0));
     errors.clear();
-    for (int tick = 0; tick < 60; ++tick) {
+    for (int tick = 0; tick < (is_last ? 60 : 6); ++tick) {
         set(*ocean, "time_s", made(tick / 60.0));
         need(call_method(*hull, "step", {made(1 / 60.0)}, tick % 2 == 0).boolean, "a step is whole");
     }
@@ -1067,8 +1071,9 @@ void run(const char* library_file, int cycle, int cycles) {
     for (const char* texture : {"displacement", "slopes", "moments", "snapshots"})
         need(material->values[texture].type == t_object, std::string("the material has ") + texture);
     const Var drawn = sea->values["mesh"].thing->values["arrays"];
-    need_watertight(drawn, 2048);
-    need_watertight(call_method(*sea, "surface_arrays", {}, true), 2048);
+    const Var arrays = call_method(*sea, "surface_arrays", {}, true);
+    need(arrays.list->all.size() == 13, "the arrays of a surface");
+    if (is_last) need_watertight(drawn, 2048), need_watertight(arrays, 2048);
     if (is_last)
         for (const auto& [name, value] : material->values)
             if (name != "init_ref") std::printf("uniform %s\n", name.c_str());
@@ -1115,6 +1120,7 @@ void run(const char* library_file, int cycle, int cycles) {
     set(*plain, "playing", made(false));
     call_method(*plain, "set_origin", {made(30.0), made(-7.0)});
     Thing* drawing = instantiate("PelagicMesh", "drawing");
+    set(*drawing, "quality", made("low"));
     Thing* paint = construct_thing("ShaderMaterial");
     from_type<t_object>(&drawing->values["material_override"], &paint);
     add_child(plain, drawing);
