@@ -113,6 +113,7 @@ void SeaMesh::draw() {
         const Value mesh = Value::made("ArrayMesh");
         mesh.call("add_surface_from_arrays", primitive_triangles, surface_arrays());
         self().call("set_mesh", mesh);
+        self().call("set_cast_shadows_setting", 0);  // of undisplaced water
         const float far_m = static_cast<float>(20 * size_m_);
         self().call("set_custom_aabb", Box{{-far_m, -100, -far_m}, {2 * far_m, 200, 2 * far_m}});
         has_mesh_ = true;

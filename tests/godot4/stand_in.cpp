@@ -358,14 +358,15 @@ void name_of_string(GDExtensionUninitializedTypePtr to, const GDExtensionConstTy
     *static_cast<Interned**>(to) = name_of((*static_cast<String* const*>(from[0]))->text);
 }
 
-#define TYPES(F)                                                                                                   \
-    F(t_bool)                                                                                                      \
-    F(t_int)                                                                                                       \
-    F(t_float)                                                                                                     \
-    F(t_string)                                                                                                    \
-    F(t_vector3)                                                                                                   \
-    F(t_vector4) F(t_box) F(t_transform) F(t_name) F(t_path) F(t_object) F(t_table) F(t_list) F(t_bytes) F(t_ints) \
-        F(t_floats) F(t_vectors)
+#define TYPES(F)                                                                                                  \
+    F(t_bool)                                                                                                     \
+    F(t_int)                                                                                                      \
+    F(t_float)                                                                                                    \
+    F(t_string)                                                                                                   \
+    F(t_vector3)                                                                                                  \
+    F(t_vector4)                                                                                                  \
+    F(t_box) F(t_transform) F(t_name) F(t_path) F(t_object) F(t_table) F(t_list) F(t_bytes) F(t_ints) F(t_floats) \
+        F(t_vectors)
 GDExtensionVariantFromTypeConstructorFunc from_type_constructor(GDExtensionVariantType type) {
 #define CASE(t) \
     if (static_cast<int>(type) == t) return from_type<t>;
@@ -497,7 +498,7 @@ Var call_engine(Thing& it, const std::string& method, const std::vector<Var>& gi
     }
     // MeshInstance3D and GeometryInstance3D
     if (it.class_name == "MeshInstance3D") {
-        if (method == "set_mesh" || method == "set_custom_aabb")
+        if (method == "set_mesh" || method == "set_custom_aabb" || method == "set_cast_shadows_setting")
             return arguments(1), it.values[method.substr(4)] = given[0], Var();
         if (method == "get_material_override") return arguments(0), it.values["material_override"];
     }
