@@ -256,6 +256,12 @@ def export_to_odd_places():
     for place, folder in (("Übung 波 🌊/wave.####.exr", "Übung 波 🌊"), ("plain\\wave.####.exr", "plain")):
         accepted_by_windows("export", place, *options, "--overwrite", "--cascades", "1", "--maps", "displacement")
         expect((work / folder / "wave.0001.exr").is_file(), place)
+    for file in "points.csv", "floor16.png", "floor.exr":
+        shutil.copy(work / file, work / f"Übung 波 {file}")
+    command = ["query", "--points", "Übung 波 points.csv", "--shore", "--resolution", "32", "--floor"]
+    for floor in "Übung 波 floor16.png", "Übung 波 floor.exr":
+        results = [run(system, *command, floor) for system in (linux, windows)]
+        expect(results[0][0] == 0 and results[0] == results[1], command, floor, *results)
     refused_by_windows("--out is Übung 波.csv/x, expected a folder, but Übung 波.csv is a file", "export", "Übung 波.csv/x", *options)
 
 

@@ -23,7 +23,7 @@ const char* clear_progress = "";
 /// Ends the program. Async-signal-safe: called from a signal handler.
 void end_now() {
     for (const char* text : {clear_progress, closing_line})
-        if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) break;
+        if (::write(STDERR_FILENO, text, static_cast<unsigned>(std::strlen(text))) < 0) break;
     ::_exit(128 + caught);
 }
 
