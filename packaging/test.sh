@@ -127,7 +127,11 @@ test_windows() {
   local name=pelagic-$version-windows-x86_64
   check windows "$dist/$name.zip"
   unzip -q "$dist/$name.zip" -d "$work"
-  test_archive "$work/$name" x86_64-w64-mingw32-gcc-posix "$source/cmake/run_wine.sh" "$work/wine-prefix"
+  local wine=("$source/cmake/run_wine.sh" "$work/wine-prefix")
+  test_archive "$work/$name" x86_64-w64-mingw32-gcc-posix "${wine[@]}"
+  quietly "${wine[@]}" "$work/$name/bin/pelagic.exe" export "$work/windows_waves" --resolution 64 --frames 2
+  quietly "${wine[@]}" "$work/$name/bin/pelagic.exe" verify "$work/windows_waves"
+  test -s "$work/windows_waves/displacement_0001.exr"
 }
 
 wheel_of() { echo "$dist"/pelagic-*"$1".whl; }
