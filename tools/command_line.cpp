@@ -148,6 +148,7 @@ class CommandLine {
         : app_("Simulate ocean waves, and export them as looping maps, meshes and images.", "pelagic") {
         app_.formatter(std::make_shared<HelpFormatter>());
         app_.require_subcommand(0, 1);
+        app_.allow_windows_style_options(false);  // "/waves" is a path on every system
         app_.footer(examples);
         add_common_options(app_);
         for (const CommandEntry& entry : command_table) {

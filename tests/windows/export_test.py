@@ -238,7 +238,7 @@ def export_to_odd_places():
     expect(run(linux, "export", "plain", *options)[0] == 0, "Linux exports nothing")
     long_name = "/".join(["a folder with a name of fifty letters and then some"] * 7)
     expect(len(long_name) > 320, "the name is short")
-    places = {"Übung 波 🌊": "Übung 波 🌊", "with spaces and 'quotes'": "with spaces and 'quotes'", long_name: long_name}
+    places = {work / "absolute": "absolute", "Übung 波 🌊": "Übung 波 🌊", "with spaces and 'quotes'": "with spaces and 'quotes'", long_name: long_name}
     if prefix.is_dir():  # of wine
         drive = work / "drive"
         drive.mkdir()
