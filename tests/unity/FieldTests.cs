@@ -72,7 +72,7 @@ public static class FieldTests
         ["Velocities"] = new Change { Set = of => of.Velocities = true, Has = of => !of.Frame.Cascade(0).VelocityY.IsEmpty },
         ["Depth"] = new Change { Set = of => of.Depth = true, Has = of => PressureAt(of, -2) > 0 },
         ["DynamicWaves"] = new Change { Set = of => of.DynamicWaves = true, Has = of => of.Ocean.DynamicWaves != null && of.Frame.DynamicWaves.Resolution == 256 },
-        ["Threads"] = new Change { Set = of => of.Threads = 3, Has = of => of.Ocean.Info.Threads == 3 && of.Ocean.Info.Executor == "thread" },
+        ["Threads"] = new Change { Set = of => of.Threads = 1, Has = of => of.Ocean.Info.Threads == 1 && of.Ocean.Info.Executor == "thread" },
         ["CpuMask"] = new Change { Set = of => { of.Threads = 2; of.CpuMask = 1; }, Has = of => of.Ocean.Info.Executor == "thread" },
     };
 

@@ -67,7 +67,7 @@ namespace Pelagic.Unity
         public bool DynamicWaves;
 
         [Header("Threads")]
-        [Range(0, 64), Tooltip("Threads that compute a frame, the main thread included. 1: the main thread only. 0: one for each CPU.")]
+        [Range(0, 64), Tooltip("Threads that compute a frame, the main thread included. 1: the main thread only. 0, or more than CPUs: one for each CPU.")]
         public int Threads;
         [Tooltip("Bit i lets the other threads run on CPU i. 0: all CPUs. Linux, Android and Windows only.")]
         public ulong CpuMask;
