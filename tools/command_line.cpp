@@ -117,8 +117,12 @@ class AbsentCommand final : public Command {
         app.allow_extras();
     }
     void run() override {
+#if defined(_WIN32)
+        throw InputError(std::string(entry_.name) + " is not in builds for Windows; use Linux");
+#else
         throw InputError(std::string(entry_.name) + " is not in this build: configure with -D" + entry_.option +
                          "=ON");
+#endif
     }
 
    private:

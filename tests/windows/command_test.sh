@@ -25,7 +25,7 @@ refused() {  # usage: refused EXIT_CODE LINE ARGUMENT...
   [ "$(tr -d '\r' <said)" = "pelagic: $2" ] && [ "$code" -eq "$1" ] || { echo "$code, not $1: ${*:3}"; cat said; exit 1; }
 }
 for command in render view; do
-  refused 2 "$command is not in this build: configure with -DPELAGIC_GL=ON" $command
+  refused 2 "$command is not in builds for Windows; use Linux" $command
 done
 refused 2 "--points is folder, a folder, expected a CSV file of lines x,z (Is a directory)" query --points folder
 refused 2 "--points is none.csv, which can't be read, expected a CSV file of lines x,z (No such file or directory)" query --points none.csv
