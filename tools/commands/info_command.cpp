@@ -28,9 +28,9 @@
 #include "pelagic/tools/record/sea_json.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/help_formatter.hpp"
+#include "pelagic/tools/text/path_text.hpp"
 #if defined(PELAGIC_HAS_IMAGES)
 #include "pelagic/tools/measure/measure_report.hpp"
-#include "pelagic/tools/text/path_text.hpp"
 #endif
 
 namespace pelagic::tools {
