@@ -71,7 +71,7 @@ class Comparison:
     def read_cascades(self):
         if not self.cascades:
             export = self.folder / "sea"
-            subprocess.check_call([self.pelagic, "export", "--out", str(export), *scenes.sea], stdout=subprocess.DEVNULL)
+            subprocess.check_call([self.pelagic, "export", "--out", str(export), *scenes.sea, "--overwrite"], stdout=subprocess.DEVNULL)
             self.cascades = sea_mesh.read_cascades(export, lambda file: rgba(file)[2])
         return self.cascades
 

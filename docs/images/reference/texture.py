@@ -32,8 +32,8 @@ bounces = 4  # between waves
 
 # Name: sea, camera, target, light; as options of `pelagic render`.
 scenes = {
-    "rough": (["--preset", "rough", "--seed", "12"], (0, 1.6, 0), (30, 1.2, 5), ["--sun", "10,35"]),
-    "calm": (["--preset", "calm", "--seed", "2"], (0, 1.7, 0), (20, 1, 5), ["--light", "overcast"]),
+    "rough": (["--preset", "rough", "--seed", "12"], (0, 1.6, 0), (30, 1.2, 5), ["--sun", "10,35", "--cloud-seed", "4"]),
+    "calm": (["--preset", "calm", "--seed", "2"], (0, 1.7, 0), (20, 1, 5), ["--light", "overcast", "--cloud-seed", "4"]),
 }
 seeds = (1, 2)
 

@@ -11,7 +11,9 @@ glitter_bright = 0.02, 0.04
 # them than listed by more than `drift`, relative to the value.
 known_gaps = {
     # Ripples are filtered over 1.5 pixels, because single pixels flicker in motion.
-    ("rough", "glitter", "bright"): 0.0074,
+    ("rough", "glitter", "contrast 4"): 0.977,
+    ("rough", "glitter", "contrast 8"): 1.204,
+    ("rough", "glitter", "bright"): 0.0081,
     # Partly the reference's: reflections below the mesh's plane are black there, 14 % of the sky's
     # light.
     ("rough", "left near", "mean"): 0.0112,
