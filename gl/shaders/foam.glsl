@@ -5,10 +5,11 @@
 // 1 is breaking now; foam of amount 0.5 broke 1.4 s ago.
 //
 // Let g be a standard normal variable of the place, a sum of scores of the texture, and z(a) the
-// score of the amount a, so that P(g > -z(a)) = a. The sheet has the margin e = g + z(a). It covers
-// the water where e > 0, and is thick where e > thick_margin: young foam is thick in most places,
-// old foam only in the middle of its threads. A pixel resolves a part of g; the rest is normal too,
-// so its means have a closed form, and neither cover nor light depends on the distance.
+// score of the amount a, so that P(g > -z(a)) = a. The sheet has the margin e = g + z(a). It is thick
+// where e > thick_margin: young foam is thick in most places, old foam only in the middle of its
+// threads. A film covers the water around e = 0, where bubbles add normal noise of film_softness to g,
+// and z(a) grows by the deviation of the sum, so the mean cover is a. A pixel resolves a part of g; the
+// rest is normal too, so means have a closed form. Cover depends little on the distance.
 //
 // Whitlock, Bartlett and Gurganus 1982, "Sea foam reflectance and influence on optimum wavelength
 // for remote sensing of ocean aerosols"; Koepke 1984, "Effective reflectance of oceanic whitecaps".
