@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "pelagic/contrib/godot3/scene_sea.hpp"
 #include "pelagic/contrib/godot4/options.g.hpp"
 
 namespace pelagic::godot4 {
@@ -29,20 +30,11 @@ bool moves(const pelagic_water_frame& water) {
     return water.sea_level_m != 0 || water.current_x_mps != 0 || water.current_z_mps != 0;
 }
 
-/// The sea of a preset, with the options of `own` that a preset leaves to the scene.
 pelagic_sea sea_of(const std::string& preset, const pelagic_sea& own) {
     if (preset == "custom") return own;
     pelagic_sea sea = pelagic_sea_make();
     require(pelagic_sea_preset(preset.c_str(), &sea));
-    sea.cascades = own.cascades;
-    sea.resolution = own.resolution;
-    sea.patch_size_m = own.patch_size_m;
-    sea.seed = own.seed;
-    sea.loop_period_s = own.loop_period_s;
-    sea.wind_direction_rad = own.wind_direction_rad;
-    if (sea.swell_height_m == 0) sea.swell_direction_rad = own.swell_direction_rad;
-    if (sea.depth_m == pelagic_sea_make().depth_m) sea.depth_m = own.depth_m;
-    return sea;
+    return godot::scene_sea(sea, own, pelagic_sea_make());
 }
 
 Value vectors(const std::vector<float> (&of)[3]) {
