@@ -88,9 +88,10 @@ TEST(RenderCommand, ImagesMatchTheReferences) {
 TEST(RenderCommand, StopsWithOneLineAndLeavesCompleteImages) {
     const TemporaryFolder folder, logs;
     constexpr std::ptrdiff_t frames = 500;
-    const pid_t process = start_pelagic({"render", "--preset", "calm", "--size", "64x36", "--quality", "low",
-                                         "--frames", std::to_string(frames), "--out", (folder / "sea.png").string()},
-                                        logs / "out", logs / "err");
+    const pid_t process =
+        start_pelagic({"render", "--preset", "calm", "--clouds", "0", "--size", "64x36", "--quality", "low",
+                       "--frames", std::to_string(frames), "--out", (folder / "sea.png").string()},
+                      logs / "out", logs / "err");
     EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "sea_0001.png"); }));
     ::kill(process, SIGINT);
     EXPECT_EQ(wait_for(process), 128 + SIGINT);
@@ -109,8 +110,8 @@ TEST(RenderCommand, StopsWithOneLineAndLeavesCompleteImages) {
 TEST(RenderCommand, ReportsASoftwareDriver) {
     const TemporaryFolder folder;
     for (const std::string quality : {"low", "medium"}) {
-        const Outcome run = run_pelagic(
-            {"render", "--size", "32x18", "--quality", quality, "--json", "--out", (folder / "sea.png").string()});
+        const Outcome run = run_pelagic({"render", "--clouds", "0", "--size", "32x18", "--quality", quality, "--json",
+                                         "--out", (folder / "sea.png").string()});
         ASSERT_EQ(run.exit_code, 0) << run.err;
         const std::string renderer = nlohmann::json::parse(run.out)["statistics"]["renderer"];
         const bool is_software = renderer.find("llvmpipe") != std::string::npos;
@@ -135,6 +136,8 @@ TEST(RenderCommand, ReadsTheSeaFloorFromAnImage) {
                                      "calm",
                                      "--clouds",
                                      "0",
+                                     "--resolution",
+                                     "32",
                                      "--size",
                                      "64x64",
                                      "--quality",
@@ -177,8 +180,8 @@ TEST(RenderCommand, DrawsAHullWhereItFloats) {
         "--hull", (folder / "box.obj").string(), "--mass", "2000",  "--resolution", "32", "--wind-speed",
         "6",      "--events-resolution",         "128",    "--json"};
     const auto render = [&](const std::string& name, std::vector<std::string> more) {
-        more.insert(more.begin(), {"render", "--size", "64x64", "--quality", "low", "--camera", "0,8,0.1", "--target",
-                                   "0,0,0", "--out", (folder / name).string()});
+        more.insert(more.begin(), {"render", "--clouds", "0", "--size", "64x64", "--quality", "low", "--camera",
+                                   "0,8,0.1", "--target", "0,0,0", "--out", (folder / name).string()});
         return run_pelagic(more);
     };
     const Outcome with_hull = render("hull.png", hull);
@@ -282,8 +285,8 @@ TEST(RenderCommand, WritesSeaPngByDefault) {
 
 TEST(RenderCommand, NamesImagesByAPatternAndResumes) {
     const TemporaryFolder folder;
-    const std::vector<std::string> command = {"render",  "rough.%03d.png", "--resolution", "32",       "--size",
-                                              "32x18",   "--quality",      "low",          "--frames", "3",
+    const std::vector<std::string> command = {"render",  "rough.%03d.png", "--clouds",  "0",   "--resolution", "32",
+                                              "--size",  "32x18",          "--quality", "low", "--frames",     "3",
                                               "--quiet", "--resume"};
     ASSERT_EQ(run_pelagic(command, in_folder(folder.path())).out, "");
     const auto first = files_in(folder.path());
@@ -305,11 +308,12 @@ TEST(RenderCommand, SendsTheFramesOfAFilmToFfmpeg) {
     const auto with_ffmpeg = [&](const std::string& script) {
         write_file(folder / "ffmpeg", "#!/bin/sh\n" + script);
         std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
-        return run_pelagic(
-            {"render", "sea.mp4", "--resolution", "32", "--size", "32x18", "--quality", "low", "--fps", "1"}, [&] {
-                std::filesystem::current_path(folder.path());
-                ::setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
-            });
+        return run_pelagic({"render", "sea.mp4", "--clouds", "0", "--resolution", "32", "--size", "32x18",
+                            "--quality", "low", "--fps", "1"},
+                           [&] {
+                               std::filesystem::current_path(folder.path());
+                               ::setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
+                           });
     };
     const Outcome failed = with_ffmpeg("echo no such encoder >&2\nexit 1\n");
     EXPECT_EQ(failed.exit_code, 1);

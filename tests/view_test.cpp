@@ -86,8 +86,9 @@ class Display {
 class ViewTest : public testing::Test {
    protected:
     void start(const Arguments& more = {}) {
-        process_ = start_pelagic(joined({"view", "--resolution", "64", "--quality", "low", "--size", "480x560",
-                                         "--wind-speed", "3", "--images", folder_.path().string()},
+        // Without clouds, which take half of the time before the first image.
+        process_ = start_pelagic(joined({"view", "--clouds", "0", "--resolution", "64", "--quality", "low", "--size",
+                                         "480x560", "--wind-speed", "3", "--images", folder_.path().string()},
                                         more),
                                  out_, err_, [&] { setenv("DISPLAY", display_.name().c_str(), 1); });
         ASSERT_TRUE(wait_until([&] {
