@@ -29,9 +29,9 @@ def run(*command, **options):
     return done.stdout
 
 
-for folder in (source / "build/python-venv", wheels):
-    shutil.rmtree(folder, ignore_errors=True)
+shutil.rmtree(source / "build/python-venv", ignore_errors=True)
 if sys.argv[2:]:
+    shutil.rmtree(wheels, ignore_errors=True)
     wheels.mkdir(parents=True)
     run("python3", "-c", f"import sys; sys.path.insert(0, 'python/build_backend'); import wheel_of_cmake; wheel_of_cmake.build_wheel({str(wheels)!r})")
 
