@@ -12,8 +12,8 @@
 namespace pelagic::godot {
 
 struct OceanSettings {
-    /// "custom", or a name of sea_presets(), whose options replace those of `sea`, except those of
-    /// scene_sea().
+    /// "custom", or a name of sea_presets(), whose options replace those of `sea`, except those that
+    /// scene_sea() keeps.
     std::string preset = "custom";
     SeaState sea;  ///< all options but the directions
     double wind_direction_deg = 0;
